@@ -1,0 +1,63 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <scalebreak/scene/input.hpp>
+
+namespace scalebreak {
+
+/// One collision of a scaled pair beside the original's at the same impact speed. Ratios are scaled over original.
+struct InvarianceRecord {
+  std::string law;
+  double factor = 1;
+  double normal_speed = 0;  ///< [m/s]
+  bool stuck = false;
+  double restitution = 0;
+  double restitution_original = 0;
+  std::optional<double> sticking_speed;  ///< [m/s]
+  std::optional<double> contact_time_ratio, max_overlap_ratio, sticking_speed_ratio;
+  std::optional<double> contact_time_ratio_predicted;  ///< of laws that keep β and v̂: the ratio of the time scales
+};
+
+/// How a quantity moves with a law's factor: kept, or as factor^exponent with its standard error over all speeds.
+struct Trend {
+  bool exists = false;
+  bool kept = false;     ///< every ratio is 1 within `kept_tolerance`
+  double largest = 0;    ///< largest |ratio − 1|
+  double exponent = 0, exponent_error = 0;
+};
+
+/// What a law keeps and moves, over all its factors and speeds.
+struct LawSummary {
+  std::string law;
+  double restitution_change = 0;  ///< largest |Δe| at equal speed; a pair that sticks has e = 0
+  int verdict_changes = 0;        ///< speeds at which one of the two sticks and the other does not
+  double reduced_restitution_change = 0;  ///< largest |Δe| at equal v/v_stick; 0 without adhesion
+  bool exact = false;             ///< the scaled pair has the original's v̂ and β at every speed
+  Trend sticking_speed, contact_time, max_overlap;
+};
+
+inline constexpr double kept_tolerance = 1e-7;
+
+struct InvarianceStudy {
+  std::vector<double> speeds;
+  std::optional<double> sticking_speed;  ///< of the original [m/s]
+  std::vector<InvarianceRecord> records;
+  std::vector<LawSummary> summaries;
+  int skipped = 0;  ///< (law, factor) pairs that do not suit each other
+};
+
+/// Impact speeds about the sticking speed (0.5 to 100 times), or 0.001 to 10 m/s without adhesion.
+[[nodiscard]] std::vector<double> default_speeds(std::optional<double> sticking_speed);
+
+/// The laws of a study: those asked for, or all that suit the contact with at least one factor.
+[[nodiscard]] std::vector<std::string> study_laws(const Input& input);
+
+/// Compares every law at every factor with the original, exactly. The records come in the order law, factor, speed, the
+/// same for any number of threads.
+[[nodiscard]] InvarianceStudy run_invariance(const Input& input, int threads, const std::function<void(double)>& progress = {});
+
+}  // namespace scalebreak

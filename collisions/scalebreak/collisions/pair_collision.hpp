@@ -1,0 +1,76 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include <scalebreak/contact/contact_kind.hpp>
+#include <scalebreak/contact/reduced.hpp>
+#include <scalebreak/scaling/scaled_pair.hpp>
+#include <scalebreak/scene/input.hpp>
+
+namespace scalebreak {
+
+/// A head-on collision of a scaled system, SI.
+struct PairCollision {
+  ContactKind kind;  ///< as it was modelled
+  bool stuck = false;
+  double restitution = 0;               ///< 0 if stuck
+  std::optional<double> contact_time;   ///< [s]; none if stuck
+  double max_overlap = 0;               ///< [m]
+  double max_force = 0;                 ///< spring and dashpot [N]; only if asked for
+  std::optional<double> sticking_speed; ///< [m/s]; none without adhesion, 0 where nothing can stick
+  int steps = 0;
+};
+
+/// One row of a trajectory, SI. The contact radius is that of the pair in which the force is evaluated, the
+/// original one under a direct-force law; 0 for a linear contact.
+struct TrajectoryPoint {
+  double time, overlap, contact_radius, speed, elastic_force, damping_force;
+};
+
+/// What decides a collision once bodies, law and factor are known: built once, asked at many speeds.
+class ScaledContact {
+ public:
+  ScaledContact(const ContactKind& kind, const Bodies& original, const ScalingLaw& law, double factor);
+
+  [[nodiscard]] const ContactKind& kind() const { return kind_; }
+  /// Reduced speed and damping ratio at an impact speed [m/s], with the scales of the evaluated pair.
+  [[nodiscard]] ReducedCollision reduced(double speed) const { return reduce(kind_, scaled_.pair, speed); }
+  /// What turns the evaluated pair's overlaps, times and forces into those of the scaled system.
+  [[nodiscard]] const ScaledPair& scaled() const { return scaled_; }
+
+  /// Of the pair, by the exact engine: none without adhesion [m/s].
+  [[nodiscard]] std::optional<double> sticking_speed(double tolerance) const;
+  /// The exact collision at an impact speed [m/s], without its sticking speed.
+  [[nodiscard]] PairCollision collide(double speed, double tolerance) const;
+  /// About `points` evenly spaced instants of the contact, by the exact engine.
+  [[nodiscard]] std::vector<TrajectoryPoint> trajectory(double speed, double tolerance, int points) const;
+
+ private:
+  ContactKind kind_;
+  ScaledPair scaled_;
+};
+
+/// A body after the collision.
+struct BodyState {
+  Eigen::Vector3d position, velocity;
+};
+
+/// The collision of an input, of its scaled system, with what becomes of the bodies.
+struct CollisionResult {
+  PairCollision collision;
+  double speed = 0;  ///< of impact [m/s]
+  std::vector<BodyState> bodies;  ///< at separation; two, or the sphere and the wall
+  double energy_before = 0, energy_after = 0;  ///< kinetic [J]
+};
+
+/// Resolves the collision of an input exactly, the scaling law applied. Throws WorkError.
+[[nodiscard]] CollisionResult resolve_collision(const Input& input);
+
+/// The contact of an input, the scaling law applied, and its impact speed [m/s].
+[[nodiscard]] std::pair<ScaledContact, double> contact_of(const Input& input);
+
+}  // namespace scalebreak

@@ -1,0 +1,171 @@
+#include <scalebreak/collisions/table_builder.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include <scalebreak/base/error.hpp>
+#include <scalebreak/collisions/normal_collision.hpp>
+#include <scalebreak/collisions/parallel.hpp>
+#include <scalebreak/contact/damping.hpp>
+
+namespace scalebreak {
+namespace {
+
+constexpr int largest_axis = 1025;
+
+/// Everything a build knows.
+class Builder {
+ public:
+  Builder(const TableKey& key, int threads)
+      : key_(key), threads_(threads), exact_tolerance_(std::min(1e-10, 1e-3 * key.tolerance)) {}
+
+  /// Relative error of the curve's last grid, where a speed below the table's first counts as that speed; the
+  /// curve is refined until it is far below the table's.
+  double build_sticking_curve() {
+    if (!key_.kind.adhesive()) {
+      curve_ = {Axis::span(0, 0, 1), {0.0}};
+      return 0;
+    }
+    const double last = damping_last();
+    for (int count = 129;; count = 2 * count - 1) {
+      curve_.axis = Axis::span(0, last, count);
+      curve_.squared.assign(static_cast<std::size_t>(count), 0.0);
+      parallel_for(count, threads_, [&](int i) { curve_.squared[static_cast<std::size_t>(i)] = sticking_squared(curve_.axis.at(i)); });
+      std::vector<double> errors(static_cast<std::size_t>(count - 1));
+      parallel_for(count - 1, threads_, [&](int i) {
+        const double u = curve_.axis.at(i + 0.5);
+        const double exact = sticking_squared(u);
+        errors[static_cast<std::size_t>(i)] = std::abs(stick(u) - exact) / (exact + TableBounds::excess_min) / 2;
+      });
+      const double error = *std::max_element(errors.begin(), errors.end());
+      if (error < 1e-2 * key_.tolerance) return error;
+      if (count >= 8 * largest_axis) throw WorkError(fmt::format("the sticking speed of {} is not smooth enough for a tolerance of {:g}: error {:.2g} with {} nodes", to_string(key_.kind), key_.tolerance, error, count));
+    }
+  }
+
+  CollisionTable build_nodes(int damping_count, int speed_count) const {
+    const Axis damping = Axis::span(0, damping_last(), damping_count);
+    const Axis speed = key_.kind.adhesive() ? Axis::span(CollisionTable::speed_coordinate(TableBounds::excess_min), CollisionTable::speed_coordinate(TableBounds::excess_max), speed_count)
+                                            : Axis::span(0, 0, 1);
+    std::vector<TableNode> nodes(static_cast<std::size_t>(damping.count) * static_cast<std::size_t>(speed.count));
+    parallel_for(static_cast<int>(nodes.size()), threads_, [&](int i) {
+      const double u = damping.at(i / speed.count);
+      nodes[static_cast<std::size_t>(i)] = node(CollisionTable::damping_ratio_at(u), stick(u), speed.at(i % speed.count));
+    });
+    return {key_, damping, speed, std::move(nodes), curve_, {}};
+  }
+
+  /// Errors at points that sit `shift` of a step off the nodes of each axis, in every `stride`-th cell.
+  struct Errors {
+    double energy_or_time = 0, overlap = 0, sum_of_squares = 0;
+    int samples = 0;
+  };
+  Errors measure(const CollisionTable& table, double damping_shift, double speed_shift, int damping_stride, int speed_stride) const {
+    const Axis& damping = table.damping_axis();
+    const Axis& speed = table.speed_axis();
+    const int rows = (damping.count - (damping_shift > 0 ? 2 : 1)) / damping_stride + 1;
+    const int columns = speed.count == 1 ? 1 : (speed.count - (speed_shift > 0 ? 2 : 1)) / speed_stride + 1;
+    std::vector<std::pair<double, double>> errors(static_cast<std::size_t>(rows) * static_cast<std::size_t>(columns));
+    parallel_for(static_cast<int>(errors.size()), threads_, [&](int i) {
+      const double u = damping.at(i / columns * damping_stride + damping_shift);
+      const double beta = CollisionTable::damping_ratio_at(u);
+      const double v = speed_at(stick(u), speed.at(i % columns * speed_stride + speed_shift));
+      const auto found = table.find(beta, v);
+      const TableOutcome exact = exact_table_outcome(key_.kind, beta, v, exact_tolerance_);
+      if (!found) return;  // a point on the very edge, rounded out of it
+      if (found->stuck || exact.stuck) throw WorkError(fmt::format("a table point of {} sticks at β {:g}, v̂ {:g}, above its sticking speed", to_string(key_.kind), beta, v));
+      errors[static_cast<std::size_t>(i)] = {
+          std::max(std::abs(found->restitution * found->restitution - exact.restitution * exact.restitution),
+                   std::abs(found->contact_time / exact.contact_time - 1)),
+          std::abs(found->max_overlap / exact.max_overlap - 1)};
+    });
+    Errors all;
+    for (const auto& [error, overlap] : errors) {
+      all.energy_or_time = std::max(all.energy_or_time, error);
+      all.overlap = std::max(all.overlap, overlap);
+      all.sum_of_squares += error * error;
+      ++all.samples;
+    }
+    return all;
+  }
+
+ private:
+  [[nodiscard]] static double damping_last() { return CollisionTable::damping_coordinate(damping_ratio(TableBounds::restitution_min)); }
+  [[nodiscard]] double sticking_squared(double u) const {
+    const double speed = reduced_sticking_speed(key_.kind, CollisionTable::damping_ratio_at(u), 1e-12);
+    return speed * speed;
+  }
+  /// The curve's own value, so that a node sits where a lookup will think it does.
+  [[nodiscard]] double stick(double u) const {
+    if (!key_.kind.adhesive()) return 0;
+    const Stencil stencil(curve_.axis, u);
+    double sum = 0;
+    for (std::size_t k = 0; k < Stencil::width; ++k) sum += stencil.weight[k] * curve_.squared[static_cast<std::size_t>(stencil.begin) + k];
+    return std::max(sum, 0.0);
+  }
+  [[nodiscard]] double speed_at(double sticking_squared, double coordinate) const {
+    return key_.kind.adhesive() ? std::sqrt(sticking_squared + CollisionTable::excess_squared_at(coordinate)) : 1.0;
+  }
+  [[nodiscard]] TableNode node(double beta, double sticking_squared, double coordinate) const {
+    const double speed = speed_at(sticking_squared, coordinate);
+    const TableOutcome exact = exact_table_outcome(key_.kind, beta, speed, exact_tolerance_);
+    return {beta, speed, std::sqrt(sticking_squared), exact.restitution, exact.contact_time, exact.max_overlap};
+  }
+
+  TableKey key_;
+  int threads_;
+  double exact_tolerance_;
+  StickingCurve curve_;
+};
+
+}  // namespace
+
+TableOutcome exact_table_outcome(const ContactKind& kind, double damping_ratio, double speed, double tolerance) {
+  const auto exact = resolve_normal_collision<double>(kind, damping_ratio, speed, {.tolerance = tolerance});
+  return {exact.stuck, exact.restitution, exact.contact_time, exact.max_overlap};
+}
+
+CollisionTable build_collision_table(const TableKey& key, int threads, const std::function<void(double)>& progress) {
+  const TableKey canonical_key{canonical(key.kind), key.tolerance};
+  const auto report = [&](double done) {
+    if (progress) progress(done);
+  };
+  Builder builder(canonical_key, threads);
+  report(0);
+  const double sticking_error = builder.build_sticking_curve();
+  report(0.3);
+  const bool adhesive = canonical_key.kind.adhesive();
+  int damping_count = 17, speed_count = adhesive ? 33 : 1;
+  for (;;) {
+    const CollisionTable table = builder.build_nodes(damping_count, speed_count);
+    // Half a step off along one axis alone tells which axis is too coarse; off along both is the measure.
+    const auto along_damping = builder.measure(table, 0.5, 0, 1, 4);
+    const auto along_speed = adhesive ? builder.measure(table, 0, 0.5, 4, 1) : Builder::Errors{};
+    const double error = std::max({along_damping.energy_or_time, along_speed.energy_or_time, along_damping.overlap, along_speed.overlap});
+    if (error < 0.5 * canonical_key.tolerance) {
+      const auto all = builder.measure(table, 0.5, 0.5, 1, 1);
+      if (all.energy_or_time < canonical_key.tolerance) {
+        TableQuality quality;
+        quality.error_max = std::max({all.energy_or_time, along_damping.energy_or_time, along_speed.energy_or_time});
+        quality.samples = all.samples + along_damping.samples + along_speed.samples;
+        quality.error_rms = std::sqrt((all.sum_of_squares + along_damping.sum_of_squares + along_speed.sum_of_squares) / quality.samples);
+        quality.sticking_speed_error = sticking_error;
+        quality.max_overlap_error = std::max({all.overlap, along_damping.overlap, along_speed.overlap});
+        report(1);
+        return {canonical_key, table.damping_axis(), table.speed_axis(), table.nodes(), table.sticking(), quality};
+      }
+    }
+    const double damping_error = std::max(along_damping.energy_or_time, along_damping.overlap);
+    const double speed_error = std::max(along_speed.energy_or_time, along_speed.overlap);
+    if (damping_error >= 0.5 * canonical_key.tolerance || damping_error >= speed_error) damping_count = 2 * damping_count - 1;
+    if (adhesive && (speed_error >= 0.5 * canonical_key.tolerance || speed_error > damping_error)) speed_count = 2 * speed_count - 1;
+    if (std::max(damping_count, speed_count) > largest_axis) {
+      throw WorkError(fmt::format("the table of {} does not reach a tolerance of {:g}: its error is {:.2g} at {} x {} nodes", to_string(canonical_key.kind), canonical_key.tolerance, error, damping_count, speed_count));
+    }
+    report(0.6);
+  }
+}
+
+}  // namespace scalebreak

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cmath>
+
+namespace scalebreak {
+
+/// Hertz contact with Tsuji's dashpot (Washino et al. 2024, eqs 10 and 15; Antypov & Elliott 2011):
+///
+///     δ = a²/R*,  F = 4E* a³/(3R*),  η = 2√(5/3) β √(m* E* a)
+///
+/// in the regular coordinate x = √a (see Linear), where all three are polynomials.
+template <class T>
+struct Hertz {
+  T curvature;  ///< 1/R* [1/m]
+  T stiffness;  ///< 4E*/(3R*) [N/m³]
+  T dashpot;    ///< 2√(5/3) β √(m* E*) [N s/m^{3/2}]
+
+  [[nodiscard]] static Hertz make(T radius, T young, T mass, T beta) {
+    using std::sqrt;
+    return {1 / radius, 4 * young / (3 * radius), 2 * sqrt(T(5) / 3) * beta * sqrt(mass * young)};
+  }
+
+  [[nodiscard]] T overlap(T x) const { return curvature * x * x * x * x; }
+  [[nodiscard]] T overlap_slope(T x) const { return 4 * curvature * x * x * x; }
+  [[nodiscard]] T force(T x) const {
+    const T cube = x * x * x;
+    return stiffness * cube * cube;
+  }
+  [[nodiscard]] T damping(T x) const { return dashpot * x; }
+  /// Work done against the force from zero overlap to x [J].
+  [[nodiscard]] T energy(T x) const {
+    const T square = x * x;
+    const T fourth = square * square;
+    return T(2) / 5 * stiffness * curvature * fourth * fourth * square;
+  }
+  [[nodiscard]] T coordinate(T overlap) const {
+    using std::sqrt;
+    return sqrt(sqrt(overlap / curvature));
+  }
+  [[nodiscard]] T touch() const { return T(0); }
+  [[nodiscard]] T separation() const { return T(0); }
+};
+
+}  // namespace scalebreak

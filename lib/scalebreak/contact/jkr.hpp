@@ -1,0 +1,116 @@
+#pragma once
+
+#include <cmath>
+#include <numbers>
+
+#include <scalebreak/contact/contact_kind.hpp>
+
+namespace scalebreak {
+
+/// Johnson–Kendall–Roberts contact (Chen & Elliott, eqs 8 and 9), γ the surface energy of ONE surface:
+///
+///     δ = a²/R* − √(4πγa/E*),  F = 4E* a³/(3R*) − 4 √(πγE* a³)
+///
+/// in the regular coordinate x = √a (see Linear), where both are polynomials and the tear-off fold is
+/// an ordinary point. Dashpot: 2√(5/3) β √(m* E* a) on the contact radius (Chen & Elliott, eqs 20–23), or
+/// 2√(5/3) β √(m* E*) (R* δ)^{1/4}, zero for δ ≤ 0, on the overlap (Washino et al. 2024, eq. 15).
+template <class T, DampingOn damping_on = DampingOn::contact_radius>
+struct Jkr {
+  T curvature;         ///< 1/R* [1/m]
+  T adhesive_overlap;  ///< √(4πγ/E*) [m^{1/2}]
+  T stiffness;         ///< 4E*/(3R*) [N/m³]
+  T adhesive_force;    ///< 4 √(πγE*) [N/m^{3/2}]
+  T dashpot;           ///< 2√(5/3) β √(m* E*) [N s/m^{3/2}]
+  AdhesionRange range;
+
+  /// `surface_energy` must be positive: without it the contact is Hertz's.
+  [[nodiscard]] static Jkr make(T radius, T young, T surface_energy, T mass, T beta, AdhesionRange range) {
+    using std::sqrt;
+    const T pi_gamma = std::numbers::pi_v<T> * surface_energy;
+    return {1 / radius,
+            sqrt(4 * pi_gamma / young),
+            4 * young / (3 * radius),
+            4 * sqrt(pi_gamma * young),
+            2 * sqrt(T(5) / 3) * beta * sqrt(mass * young),
+            range};
+  }
+
+  [[nodiscard]] T overlap(T x) const { return x * (curvature * x * x * x - adhesive_overlap); }
+  [[nodiscard]] T overlap_slope(T x) const { return 4 * curvature * x * x * x - adhesive_overlap; }
+  [[nodiscard]] T force(T x) const {
+    const T cube = x * x * x;
+    return cube * (stiffness * cube - adhesive_force);
+  }
+
+  [[nodiscard]] T damping(T x) const {
+    using std::sqrt;
+    if constexpr (damping_on == DampingOn::contact_radius) {
+      return dashpot * x;
+    } else {
+      const T depth = overlap(x);
+      return depth > 0 ? damping_of_root(sqrt(sqrt(depth))) : T(0);
+    }
+  }
+
+  /// The dashpot on the overlap, as a function of w = δ^{1/4}, in which it is smooth.
+  [[nodiscard]] T damping_of_root(T w) const
+    requires(damping_on == DampingOn::overlap)
+  {
+    using std::sqrt;
+    return dashpot / sqrt(sqrt(curvature)) * w;
+  }
+
+  /// Work done against the force from first touch (δ = 0, x = touch()) to x [J].
+  [[nodiscard]] T energy(T x) const { return primitive(x) - primitive(touch()); }
+
+  /// x at a given overlap: the largest real root of x⁴/R* − √(4πγ/E*) x − δ = 0, without a branch.
+  /// Below the fold it returns the fold. Ferrari's resolvent P³ + 4RδP − q² = 0 with q = R√(4πγ/E*),
+  /// its root written so that nothing cancels: P = q²/(A² + AB + B²) with A³ − B³ = q², AB = 4Rδ/3.
+  [[nodiscard]] T coordinate(T overlap) const {
+    using std::cbrt, std::sqrt;
+    const T q = adhesive_overlap / curvature;
+    const T third = 4 * overlap / (3 * curvature);
+    const T square = q * q * q * q / 4 + third * third * third;
+    const T a = cbrt(q * q / 2 + sqrt(square > 0 ? square : T(0)));
+    const T b = third / a;
+    const T p = sqrt(q * q / (a * a + a * b + b * b));
+    const T rest = 2 * q / p - p * p;
+    return (p + sqrt(rest > 0 ? rest : T(0))) / 2;
+  }
+
+  /// x where dδ/dx = 0: no contact exists below (point S).
+  [[nodiscard]] T fold() const {
+    using std::cbrt;
+    return cbrt(adhesive_overlap / (4 * curvature));
+  }
+  [[nodiscard]] T touch() const {
+    using std::cbrt;
+    return cbrt(adhesive_overlap / curvature);
+  }
+  /// x at the force minimum −3πγR*, where a³ = 9πγR*²/(4E*) (point C).
+  [[nodiscard]] T pull_off() const {
+    using std::cbrt;
+    return cbrt(3 * adhesive_overlap / (4 * curvature));
+  }
+  /// x where the contact ends, as `range` has it.
+  [[nodiscard]] T separation() const {
+    switch (range) {
+      case AdhesionRange::full: return fold();
+      case AdhesionRange::pull_off: return pull_off();
+      case AdhesionRange::touch: break;
+    }
+    return touch();
+  }
+
+ private:
+  /// ∫ F dδ = ∫ F (dδ/dx) dx, term by term.
+  [[nodiscard]] T primitive(T x) const {
+    const T cube = x * x * x;
+    const T fourth = cube * x;
+    return fourth * (cube * (T(2) / 5 * stiffness * curvature * cube -
+                             (stiffness * adhesive_overlap + 4 * adhesive_force * curvature) / 7) +
+                     adhesive_force * adhesive_overlap / 4);
+  }
+};
+
+}  // namespace scalebreak

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cmath>
+
+namespace scalebreak {
+
+/// Linear spring and dashpot: F = k δ + η δ̇ (Washino et al. 2024, eqs 5 and 8).
+///
+/// A normal law is a set of pure functions of its *regular coordinate* x, in which force, overlap and
+/// damping are smooth: the overlap itself here, the square root of the contact radius for Hertz and
+/// JKR. Force is positive in repulsion and holds no damping.
+template <class T>
+struct Linear {
+  T stiffness;  ///< k [N/m]
+  T dashpot;    ///< η = 2 β √(m* k) [N s/m]
+
+  [[nodiscard]] static Linear make(T spring_constant, T mass, T beta) {
+    using std::sqrt;
+    return {spring_constant, 2 * beta * sqrt(mass * spring_constant)};
+  }
+
+  [[nodiscard]] T overlap(T x) const { return x; }
+  [[nodiscard]] T overlap_slope(T) const { return T(1); }
+  [[nodiscard]] T force(T x) const { return stiffness * x; }
+  [[nodiscard]] T damping(T) const { return dashpot; }
+  /// Work done against the force from zero overlap to x [J].
+  [[nodiscard]] T energy(T x) const { return stiffness * x * x / 2; }
+  [[nodiscard]] T coordinate(T overlap) const { return overlap; }
+  [[nodiscard]] T touch() const { return T(0); }       ///< x at first contact
+  [[nodiscard]] T separation() const { return T(0); }  ///< x where the contact ends
+};
+
+}  // namespace scalebreak

@@ -1,0 +1,34 @@
+#include <scalebreak/output/atomic_file.hpp>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <scalebreak/base/error.hpp>
+
+namespace scalebreak {
+
+void write_file(const std::filesystem::path& path, std::string_view content) {
+  namespace fs = std::filesystem;
+  std::error_code failed;
+  if (path.has_parent_path()) fs::create_directories(path.parent_path(), failed);
+  if (failed) throw WorkError(fmt::format("cannot make the folder {}: {}", path.parent_path().string(), failed.message()));
+  const fs::path part = path.string() + fmt::format(".{}.part", ::getpid());
+  {
+    std::ofstream file(part, std::ios::binary);
+    file.write(content.data(), static_cast<std::streamsize>(content.size()));
+    file.close();
+    if (!file) {
+      const std::string reason = std::strerror(errno);
+      fs::remove(part, failed);
+      throw WorkError(fmt::format("cannot write {}: {}", path.string(), reason));
+    }
+  }
+  fs::rename(part, path, failed);
+  if (failed) throw WorkError(fmt::format("cannot put {} in place: {}", path.string(), failed.message()));
+}
+
+}  // namespace scalebreak

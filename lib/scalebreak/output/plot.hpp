@@ -1,0 +1,31 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace scalebreak {
+
+/// One curve of a plot, read from a CSV file beside the plot.
+struct Curve {
+  std::string file;      ///< CSV, relative to the plot's folder
+  std::string x, y;      ///< gnuplot expressions of the columns, "1" or "($3/$2)"
+  std::string title;     ///< for the legend
+  bool points = false;   ///< marks instead of a line
+  std::string only = {}; ///< a gnuplot condition on the columns, "strcol(1) eq 'rps'"; empty: every row
+};
+
+/// A plot: axes with units, a legend, one sentence that says what it shows.
+struct Plot {
+  std::string name;  ///< of the files, without ending
+  std::string title;
+  std::string x_label, y_label;
+  bool log_x = false, log_y = false;
+  std::vector<Curve> curves;
+};
+
+/// Writes `name.gp` into `folder` and draws `name.svg` and `name.png` with gnuplot. False if gnuplot is not there
+/// or fails; the script is kept in any case, so that the plot can be drawn by hand.
+bool draw(const Plot& plot, const std::filesystem::path& folder);
+
+}  // namespace scalebreak

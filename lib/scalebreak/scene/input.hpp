@@ -1,0 +1,46 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include <scalebreak/contact/contact_kind.hpp>
+#include <scalebreak/material/material.hpp>
+#include <scalebreak/scaling/scaled_pair.hpp>
+
+namespace scalebreak {
+
+/// One sphere of a few-body scene, SI.
+struct Body {
+  Eigen::Vector3d position{0, 0, 0};
+  Eigen::Vector3d velocity{0, 0, 0};
+  double radius = 0;
+
+  bool operator==(const Body&) const = default;
+};
+
+/// A resolved input: every key has its value. The ORIGINAL system; the program applies the scaling law.
+struct Input {
+  Material material;
+  Material second;
+  Wall wall;
+  ContactKind contact;
+  std::vector<double> radius = {0.5e-3, 0.5e-3};
+  bool against_wall = false;
+  double normal_speed = 0.1;
+  std::vector<Body> bodies;  ///< two, or none: then [pair] and [impact] hold
+  std::string scaling_law = "none";
+  double scaling_factor = 1;
+  std::vector<std::string> study_laws;  ///< empty: all that suit the contact
+  std::vector<double> study_factors = {0.1, 0.01, 0.0001, 2, 4, 8};
+  std::vector<double> study_speeds;     ///< empty: about the sticking speed
+  double tolerance = 1e-8;
+  double table_tolerance = 1e-6;
+
+  bool operator==(const Input&) const = default;
+
+  [[nodiscard]] Bodies colliding() const { return {material, second, wall, radius}; }
+};
+
+}  // namespace scalebreak

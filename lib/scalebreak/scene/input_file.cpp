@@ -1,0 +1,185 @@
+#include <scalebreak/scene/input_file.hpp>
+
+#include <algorithm>
+#include <map>
+
+#include <fmt/format.h>
+
+#include <scalebreak/base/error.hpp>
+#include <scalebreak/scene/check_input.hpp>
+#include <scalebreak/scene/keys.hpp>
+#include <scalebreak/scene/materials.hpp>
+
+namespace scalebreak {
+namespace {
+
+constexpr const char* materials[] = {"material", "second", "wall"};
+
+/// Of the words that could have been meant: the one with the most letters in common order.
+std::string nearest(const std::string& word, const std::vector<std::string>& candidates) {
+  std::size_t best = 0;
+  std::string chosen;
+  for (const std::string& candidate : candidates) {
+    std::vector<std::size_t> row(candidate.size() + 1, 0);
+    for (const char c : word) {
+      std::size_t diagonal = 0;
+      for (std::size_t j = 1; j <= candidate.size(); ++j) {
+        const std::size_t above = row[j];
+        row[j] = c == candidate[j - 1] ? diagonal + 1 : std::max(row[j], row[j - 1]);
+        diagonal = above;
+      }
+    }
+    if (row.back() > best && 2 * row.back() >= word.size()) best = row.back(), chosen = candidate;
+  }
+  return chosen;
+}
+
+const Key* find_key(const std::string& dotted) {
+  for (const Key& key : keys()) {
+    if (key.dotted() == dotted) return &key;
+  }
+  return nullptr;
+}
+
+[[noreturn]] void unknown(const Assignment& given) {
+  std::vector<std::string> names, sections;
+  const std::string section = given.key.substr(0, given.key.find('.'));
+  for (const Key& key : keys()) {
+    if (key.section == section) names.push_back(key.dotted());
+    if (sections.empty() || sections.back() != key.section) sections.push_back(key.section);
+  }
+  for (const char* material : materials) {
+    if (section == material) names.push_back(section + ".name");
+  }
+  if (section == "body") names = {"body.position", "body.velocity", "body.radius"};
+  if (names.empty()) {
+    throw InputError(fmt::format("{}: {}: there is no such section; allowed: {}, body", given.where.text, given.key, fmt::join(sections, ", ")));
+  }
+  const std::string guess = nearest(given.key, names);
+  throw InputError(fmt::format("{}: {}: there is no such key{}; allowed: {}", given.where.text, given.key, guess.empty() ? "" : fmt::format(" (did you mean {}?)", guess), fmt::join(names, ", ")));
+}
+
+void apply(const Key& key, Input& input, const Assignment& given) {
+  try {
+    key.set(input, given.value);
+  } catch (const std::string& found) {
+    throw InputError(fmt::format("{}: {}: {}; allowed: {}", given.where.text, given.key, found, key.allowed));
+  } catch (const std::bad_function_call&) {
+    throw WorkError(fmt::format("the key {} has no place to go", given.key));
+  }
+}
+
+/// "body.2.radius" → 2; 0 for anything else.
+std::size_t body_index(const std::string& key) {
+  if (key.rfind("body.", 0) != 0) return 0;
+  const std::string digits = key.substr(5, key.find('.', 5) - 5);
+  if (digits.empty() || digits.size() > 4 || digits.find_first_not_of("0123456789") != std::string::npos) return 0;
+  return static_cast<std::size_t>(std::stoul(digits));
+}
+
+void apply_body(Input& input, const Assignment& given) {
+  const std::size_t index = body_index(given.key);
+  const std::string name = given.key.substr(given.key.rfind('.') + 1);
+  for (const Key& key : body_keys(index - 1)) {
+    if (key.name == name) return apply(key, input, given);
+  }
+  unknown(given);
+}
+
+/// A named material first, then what is said beside it.
+void apply_material(const std::string& section, Input& input, const std::vector<Assignment>& given) {
+  for (const Assignment& item : given) {
+    if (item.key != section + ".name") continue;
+    const auto* name = std::get_if<std::string>(&item.value);
+    if (!name) throw InputError(fmt::format("{}: {}: found {}; allowed: the name of a material, as a string", item.where.text, item.key, to_toml(item.value)));
+    for (Assignment property : named_material(*name, item.where, item.key)) {
+      property.key = section + "." + property.key;
+      const Key* key = find_key(property.key);
+      if (!key) unknown(property);
+      apply(*key, input, property);
+    }
+  }
+  for (const Assignment& item : given) {
+    if (item.key.rfind(section + ".", 0) == 0 && item.key != section + ".name") apply(*find_key(item.key), input, item);
+  }
+}
+
+}  // namespace
+
+Input resolve_input(const std::vector<Assignment>& all) {
+  std::vector<Assignment> given;  // the last word on each key, where it was first named
+  for (const Assignment& item : all) {
+    const auto same = std::find_if(given.begin(), given.end(), [&](const Assignment& other) { return other.key == item.key; });
+    same == given.end() ? given.push_back(item) : void(*same = item);
+  }
+  std::size_t bodies = 0;
+  for (const Assignment& item : given) {
+    const bool named = std::any_of(std::begin(materials), std::end(materials), [&](const char* m) { return item.key == std::string(m) + ".name"; });
+    bodies = std::max(bodies, body_index(item.key));
+    if (!named && !find_key(item.key) && body_index(item.key) == 0) unknown(item);
+  }
+  if (bodies > 2) {
+    const auto at = std::find_if(given.begin(), given.end(), [](const Assignment& item) { return body_index(item.key) > 2; });
+    throw InputError(fmt::format("{}: {}: found {} bodies; allowed: two [[body]] tables, or none", at->where.text, at->key, bodies));
+  }
+  Input input;
+  input.bodies.resize(bodies);
+  // Wrong values first, each in the order of the input, into a copy: what follows may then rely on them.
+  for (const Assignment& item : given) {
+    Input scratch = input;
+    if (body_index(item.key) > 0) {
+      apply_body(scratch, item);
+    } else if (const Key* key = find_key(item.key)) {
+      apply(*key, scratch, item);
+    }
+  }
+  apply_material("material", input, given);
+  input.second = input.wall.material = input.material;
+  apply_material("second", input, given);
+  apply_material("wall", input, given);
+  for (const Assignment& item : given) {
+    const bool material = std::any_of(std::begin(materials), std::end(materials), [&](const char* m) { return item.key.rfind(std::string(m) + ".", 0) == 0; });
+    if (material) continue;
+    body_index(item.key) > 0 ? apply_body(input, item) : apply(*find_key(item.key), input, item);
+  }
+  complete_and_check(input, given);
+  return input;
+}
+
+std::string write_input(const Input& input) {
+  std::string text, section;
+  for (const Key& key : keys()) {
+    if (!input.bodies.empty() && (key.section == "pair" || key.section == "impact")) continue;
+    if (key.section != section) text += fmt::format("{}[{}]\n", section.empty() ? "" : "\n", section = key.section);
+    text += fmt::format("{} = {}\n", key.name, to_toml(key.get(input)));
+  }
+  for (std::size_t i = 0; i < input.bodies.size(); ++i) {
+    text += "\n[[body]]\n";
+    for (const Key& key : body_keys(i)) text += fmt::format("{} = {}\n", key.name, to_toml(key.get(input)));
+  }
+  return text;
+}
+
+std::string describe_keys() {
+  const Input defaults;
+  std::string text = "# Every key with its default, in SI units. name = \"...\" in [material], [second] or [wall] takes a material of data/materials.\n", section;
+  const auto line = [&](const Key& key, const std::string& value) {
+    text += fmt::format("{:<40} # [{}] {}; allowed: {}\n", fmt::format("{} = {}", key.name, value), key.unit, key.meaning, key.allowed);
+  };
+  for (const Key& key : keys()) {
+    if (key.section != section) {
+      text += fmt::format("\n[{}]\n", section = key.section);
+      if (section == "second" || section == "wall") text += "# each defaults to the key of [material]\n";
+      if (section == "contact") text += "# hertz and linear end at \"touch\" and are damped on \"overlap\"\n";
+    }
+    line(key, to_toml(key.get(defaults)));
+  }
+  text += "\n# Two [[body]] tables may stand in place of [pair] and [impact]; position and radius have no default.\n";
+  Input with_body;
+  with_body.bodies.resize(1);
+  text += "# [[body]]\n";
+  for (const Key& key : body_keys(0)) text += fmt::format("# {:<38} # [{}] {}; allowed: {}\n", key.name == "velocity" ? "velocity = [0, 0, 0]" : key.name + " =", key.unit, key.meaning, key.allowed);
+  return text;
+}
+
+}  // namespace scalebreak

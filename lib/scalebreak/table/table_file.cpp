@@ -1,0 +1,134 @@
+#include <scalebreak/table/table_file.hpp>
+
+#include <cstring>
+#include <fstream>
+#include <iterator>
+
+#include <boost/crc.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <scalebreak/output/atomic_file.hpp>
+
+namespace scalebreak {
+namespace {
+
+using nlohmann::json;
+
+/// Of the layout *and* of the numbers: raise it when either changes.
+constexpr int format_version = 1;
+
+constexpr const char* fields[] = {"damping_ratio", "speed", "sticking_speed", "restitution", "contact_time", "max_overlap"};
+static_assert(sizeof(TableNode) == std::size(fields) * sizeof(double));
+
+/// The header of NumPy's format 1.0: magic, version, length, a Python literal padded to 64 bytes.
+std::string npy_header(const CollisionTable& table) {
+  std::string descr;
+  for (const char* field : fields) descr += fmt::format("('{}', '<f8'), ", field);
+  std::string dict = fmt::format("{{'descr': [{}], 'fortran_order': False, 'shape': ({}, {}), }}", descr.substr(0, descr.size() - 2),
+                                 table.damping_axis().count, table.speed_axis().count);
+  while ((10 + dict.size() + 1) % 64 != 0) dict += ' ';
+  dict += '\n';
+  std::string header("\x93NUMPY\x01\x00", 8);
+  header += static_cast<char>(dict.size() & 0xff);
+  header += static_cast<char>(dict.size() >> 8);
+  return header + dict;
+}
+
+std::string npy(const CollisionTable& table) {
+  std::string bytes = npy_header(table);
+  const auto& nodes = table.nodes();
+  bytes.append(reinterpret_cast<const char*>(nodes.data()), nodes.size() * sizeof(TableNode));
+  return bytes;
+}
+
+/// CRC-32 of the array file and of everything the JSON says.
+std::uint32_t checksum(const std::string& array, const json& body) {
+  const std::string text = body.dump();
+  boost::crc_32_type crc;
+  crc.process_bytes(array.data(), array.size());
+  crc.process_bytes(text.data(), text.size());
+  return crc.checksum();
+}
+
+json axis_json(const Axis& axis) { return {{"first", axis.first}, {"step", axis.step}, {"count", axis.count}}; }
+Axis axis_of(const json& j) { return {j.at("first"), j.at("step"), j.at("count")}; }
+
+json key_json(const TableKey& key) {
+  return {{"normal", to_string(key.kind.normal)},
+          {"adhesion_range", to_string(key.kind.range)},
+          {"damping_on", to_string(key.kind.damping_on)},
+          {"tolerance", key.tolerance}};
+}
+
+std::optional<std::string> read_all(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) return std::nullopt;
+  return std::string(std::istreambuf_iterator<char>(file), {});
+}
+
+/// Throws json exceptions and WorkError on anything that does not fit.
+TableOnDisk parse(const std::string& text, const std::string& array, const TableKey& key) {
+  json j = json::parse(text);
+  const json said = j.at("checksum");
+  j.erase("checksum");
+  if (j.at("format_version") != format_version) return {{}, fmt::format("it has format version {}, this program has {}", j.at("format_version").dump(), format_version)};
+  if (j.at("key") != key_json(key)) return {{}, "it is of another key"};
+  if (said != checksum(array, j)) return {{}, "its checksum does not fit"};
+  StickingCurve curve{axis_of(j.at("sticking_speed_squared").at("axis")), j.at("sticking_speed_squared").at("values").get<std::vector<double>>()};
+  const Axis damping = axis_of(j.at("damping_axis")), speed = axis_of(j.at("speed_axis"));
+  const json& q = j.at("quality");
+  const TableQuality quality{q.at("error_max"), q.at("error_rms"), q.at("sticking_speed_error"), q.at("max_overlap_error"), q.at("samples")};
+  const std::size_t count = static_cast<std::size_t>(damping.count) * static_cast<std::size_t>(speed.count);
+  if (array.size() < count * sizeof(TableNode)) return {{}, "its array is short"};
+  std::vector<TableNode> nodes(count);
+  std::memcpy(nodes.data(), array.data() + (array.size() - count * sizeof(TableNode)), count * sizeof(TableNode));
+  CollisionTable table(key, damping, speed, std::move(nodes), std::move(curve), quality);
+  if (array.compare(0, array.size() - count * sizeof(TableNode), npy_header(table)) != 0) return {{}, "its array header does not fit"};
+  return {std::move(table), ""};
+}
+
+}  // namespace
+
+std::string table_file_name(const TableKey& key) {
+  const ContactKind kind = canonical(key.kind);
+  return fmt::format("{}-{}-{}-{:g}", to_string(kind.normal), to_string(kind.range), to_string(kind.damping_on), key.tolerance);
+}
+
+void write_table(const std::filesystem::path& folder, const CollisionTable& table) {
+  const std::string name = table_file_name(table.key());
+  const std::string array = npy(table);
+  const TableQuality& quality = table.quality();
+  json j = {{"format", "scalebreak collision table"},
+                  {"format_version", format_version},
+                  {"array", name + ".npy"},
+                  {"key", key_json(table.key())},
+                  {"quality",
+                   {{"error_max", quality.error_max},
+                    {"error_rms", quality.error_rms},
+                    {"sticking_speed_error", quality.sticking_speed_error},
+                    {"max_overlap_error", quality.max_overlap_error},
+                    {"samples", quality.samples}}},
+                  {"damping_axis", axis_json(table.damping_axis())},
+                  {"speed_axis", axis_json(table.speed_axis())},
+                  {"sticking_speed_squared", {{"axis", axis_json(table.sticking().axis)}, {"values", table.sticking().squared}}}};
+  j["checksum"] = checksum(array, j);
+  write_file(folder / (name + ".npy"), array);
+  write_file(folder / (name + ".json"), j.dump(1) + "\n");
+}
+
+TableOnDisk read_table(const std::filesystem::path& folder, const TableKey& key) {
+  const TableKey canonical_key{canonical(key.kind), key.tolerance};
+  const std::filesystem::path base = folder / table_file_name(canonical_key);
+  const auto text = read_all(base.string() + ".json");
+  const auto array = read_all(base.string() + ".npy");
+  if (!text && !array) return {};
+  if (!text || !array) return {{}, "one of its two files is missing"};
+  try {
+    return parse(*text, *array, canonical_key);
+  } catch (const std::exception& error) {
+    return {{}, fmt::format("it cannot be read ({})", error.what())};
+  }
+}
+
+}  // namespace scalebreak
