@@ -90,8 +90,11 @@ InvarianceStudy run_invariance(const Input& input, int threads, const std::funct
   std::vector<Cell> cells;
   for (const std::string& name : study_laws(input)) {
     const ScalingLaw* law = find_scaling_law(name);
-    for (const double factor : input.study_factors) {
-      refusal(*law, factor, input.contact.normal) ? void(++study.skipped) : cells.push_back({law, factor});
+    for (const bool softer : {true, false}) {
+      for (const double factor : input.study_factors) {
+        if ((factor < 1) != softer) continue;
+        refusal(*law, factor, input.contact.normal) ? void(++study.skipped) : cells.push_back({law, factor});
+      }
     }
   }
 
@@ -125,9 +128,9 @@ InvarianceStudy run_invariance(const Input& input, int threads, const std::funct
   });
 
   for (std::size_t c = 0; c < cells.size();) {
-    LawSummary summary{.law = std::string(cells[c].law->name), .exact = true};
+    LawSummary summary{.law = std::string(cells[c].law->name), .softer = cells[c].factor < 1, .exact = true};
     std::vector<InvarianceRecord> records;
-    for (; c < cells.size() && cells[c].law->name == summary.law; ++c) {
+    for (; c < cells.size() && cells[c].law->name == summary.law && (cells[c].factor < 1) == summary.softer; ++c) {
       summary.exact = summary.exact && results[c].exact;
       summary.reduced_restitution_change = std::max(summary.reduced_restitution_change, results[c].reduced_change);
       records.insert(records.end(), results[c].records.begin(), results[c].records.end());

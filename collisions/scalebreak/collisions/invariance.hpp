@@ -33,6 +33,7 @@ struct Trend {
 /// What a law keeps and moves, over all its factors and speeds.
 struct LawSummary {
   std::string law;
+  bool softer = false;  ///< its factors here are below 1; "none" has a summary on either side
   double restitution_change = 0;  ///< largest |Δe| at equal speed; a pair that sticks has e = 0
   int verdict_changes = 0;        ///< speeds at which one of the two sticks and the other does not
   double reduced_restitution_change = 0;  ///< largest |Δe| at equal v/v_stick; 0 without adhesion

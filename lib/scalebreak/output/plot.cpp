@@ -10,14 +10,24 @@ namespace scalebreak {
 namespace {
 
 // Okabe & Ito's colours: told apart by everyone.
-constexpr const char* colours[] = {"#000000", "#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#8B4513", "#7F7F7F", "#B0A000", "#6A3D9A"};
+constexpr const char* colours[] = {"#000000", "#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#8B4513", "#7F7F7F", "#B0A000", "#6A3D9A", "#117733", "#882255"};
 
-std::string curve_text(const Curve& curve, std::size_t index) {
-  const char* colour = colours[index % std::size(colours)];
+/// gnuplot reads "_" in a text as the start of an index.
+std::string plain(const std::string& text) {
+  std::string out;
+  for (const char c : text) out += c == '_' ? std::string("\\\\_") : std::string(1, c);
+  return out;
+}
+
+std::string curve_text(const Curve& curve) {
+  const auto style = static_cast<std::size_t>(curve.style);
+  const char* colour = colours[style % std::size(colours)];
   const std::string y = curve.only.empty() ? curve.y : fmt::format("({} ? ({}) : NaN)", curve.only, curve.y.front() == '(' ? curve.y : "$" + curve.y);
-  const std::string style = curve.points ? fmt::format("with points pt {} ps 0.9 lw 1.5 lc rgb '{}'", index % 13 + 1, colour)
-                                         : fmt::format("with lines lw 2 lc rgb '{}'", colour);
-  return fmt::format("'{}' using {}:{} {} title \"{}\"", curve.file, curve.x, y, style, curve.title);
+  // Marks shrink with the style, so that those which fall on each other still show.
+  constexpr int marks[] = {7, 4, 6, 8, 10, 12, 14, 1, 2, 3};
+  const std::string look = curve.points ? fmt::format("with points pt {} ps {:.2f} lw 1.6 lc rgb '{}'", marks[style % std::size(marks)], 2.3 - 0.13 * static_cast<double>(style % 12), colour)
+                                        : fmt::format("with lines lw {} lc rgb '{}'", style == 0 ? 2.5 : 1.8, colour);
+  return fmt::format("'{}' using {}:{} {} title \"{}\"", curve.file, curve.x, y, look, plain(curve.title));
 }
 
 std::string script(const Plot& plot) {
@@ -25,11 +35,11 @@ std::string script(const Plot& plot) {
   text += fmt::format("set title \"{}\"\nset xlabel \"{}\"\nset ylabel \"{}\"\n", plot.title, plot.x_label, plot.y_label);
   if (plot.log_x) text += "set logscale x\nset format x '%h'\n";
   if (plot.log_y) text += "set logscale y\nset format y '%h'\n";
-  text += "set grid lc rgb '#dddddd'\nset key outside right top\n";
+  text += "set xrange [*:*] noextend\nset grid lc rgb '#dddddd'\nset key outside right top Left reverse\n";
   std::string curves;
   for (std::size_t i = 0; i < plot.curves.size(); ++i) {
     if (i > 0) curves += ", \\\n     ";
-    curves += curve_text(plot.curves[i], i);
+    curves += curve_text(plot.curves[i]);
   }
   text += fmt::format("set terminal svg size 900,520 dynamic background rgb 'white' font 'sans,13'\nset output '{}.svg'\nplot {}\n", plot.name, curves);
   text += fmt::format("set terminal pngcairo size 1350,780 font 'sans,15'\nset output '{}.png'\nreplot\n", plot.name);

@@ -10,8 +10,9 @@ namespace scalebreak {
 struct Curve {
   std::string file;      ///< CSV, relative to the plot's folder
   std::string x, y;      ///< gnuplot expressions of the columns, "1" or "($3/$2)"
-  std::string title;     ///< for the legend
+  std::string title;     ///< for the legend, taken as it stands
   bool points = false;   ///< marks instead of a line
+  int style = 0;         ///< colour and mark; 0 is black, for what the others are compared with
   std::string only = {}; ///< a gnuplot condition on the columns, "strcol(1) eq 'rps'"; empty: every row
 };
 

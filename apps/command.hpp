@@ -1,0 +1,53 @@
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include <scalebreak/collisions/table_store.hpp>
+#include <scalebreak/scene/input.hpp>
+
+namespace scalebreak::apps {
+
+/// The options that every subcommand has.
+struct Options {
+  std::vector<std::string> files;
+  std::vector<std::string> settings;
+  std::string out, tables;
+  int threads = 0;
+  bool json = false, check = false, print_defaults = false, quiet = false;
+
+  /// The input of one file, or of none.
+  [[nodiscard]] Input input(const std::optional<std::string>& file) const;
+  [[nodiscard]] Input input() const { return input(files.empty() ? std::nullopt : std::optional(files.front())); }
+  [[nodiscard]] TableStore store() const;
+  /// A sentence on standard error, unless quiet.
+  void say(const std::string& sentence) const;
+  /// A bar on standard error with the time left, unless quiet.
+  [[nodiscard]] std::function<void(double)> progress(const std::string& what) const;
+};
+
+/// Adds the common options; `most_files` input files are allowed.
+void add_options(CLI::App& command, Options& options, int most_files = 1);
+
+/// Does what --print-defaults and --check ask for: true if there is nothing more to do. `estimate` says how long the
+/// work takes and what memory.
+bool answered_early(const Options& options, const std::function<std::string(const Input&)>& estimate);
+
+/// The resolved input with version and a line on how to run it again.
+[[nodiscard]] std::string input_file_text(const Input& input, const std::string& command);
+
+/// Prints the object if --json asks for it, and writes result.json and input.toml into --out if that is given.
+void deliver(const Options& options, const Input& input, const std::string& command, const nlohmann::json& result);
+
+void add_collide(CLI::App& app, Options& options, std::function<void()>& job);
+void add_table(CLI::App& app, Options& options, std::function<void()>& job);
+void add_invariance(CLI::App& app, Options& options, std::function<void()>& job);
+
+}  // namespace scalebreak::apps

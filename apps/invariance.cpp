@@ -1,0 +1,102 @@
+#include <set>
+
+#include <fmt/format.h>
+
+#include <scalebreak/base/error.hpp>
+#include <scalebreak/collisions/invariance_report.hpp>
+#include <scalebreak/output/atomic_file.hpp>
+
+#include "command.hpp"
+
+namespace scalebreak::apps {
+namespace {
+
+using nlohmann::json;
+
+json or_null(const std::optional<double>& value) { return value ? json(*value) : json(); }
+
+json study_json(const InvarianceStudy& study) {
+  json records = json::array();
+  for (const InvarianceRecord& r : study.records) {
+    records.push_back({{"law", r.law},
+                       {"factor", r.factor},
+                       {"normal_speed", r.normal_speed},
+                       {"stuck", r.stuck},
+                       {"restitution_normal", r.restitution},
+                       {"sticking_speed", or_null(r.sticking_speed)},
+                       {"contact_time_ratio", or_null(r.contact_time_ratio)},
+                       {"contact_time_ratio_predicted", or_null(r.contact_time_ratio_predicted)},
+                       {"max_overlap_ratio", or_null(r.max_overlap_ratio)},
+                       {"sticking_speed_ratio", or_null(r.sticking_speed_ratio)},
+                       {"spin_ratio", nullptr}});
+  }
+  return {{"records", records}};
+}
+
+/// What each scene is called: its file's name, made to differ.
+std::vector<std::string> chapter_names(const std::vector<std::string>& files) {
+  std::vector<std::string> names;
+  std::set<std::string> used;
+  for (const std::string& file : files) {
+    const std::string stem = std::filesystem::path(file).stem().string();
+    std::string name = stem;
+    for (int i = 2; !used.insert(name).second; ++i) name = fmt::format("{}_{}", stem, i);
+    names.push_back(name);
+  }
+  return names;
+}
+
+std::string estimate(const Input& input) {
+  const std::size_t speeds = input.study_speeds.empty() ? default_speeds({}).size() : input.study_speeds.size();
+  const double collisions = static_cast<double>(study_laws(input).size() * input.study_factors.size() * (speeds + 12));
+  return fmt::format("{:.0f} exact collisions, about {:.1f} s and 1 s for the table, below 20 MB", collisions, 1e-4 * collisions);
+}
+
+void run(const Options& options) {
+  std::vector<std::optional<std::string>> files(options.files.begin(), options.files.end());
+  if (files.empty()) files.emplace_back();
+  const auto names = files.front() ? chapter_names(options.files) : std::vector<std::string>{"defaults"};
+  std::vector<Input> inputs;  // all of them are read before any work is done
+  for (const auto& file : files) {
+    inputs.push_back(options.input(file));
+    if (!inputs.back().bodies.empty()) throw InputError(fmt::format("{}: invariance compares pairs; allowed: [pair] and [impact] in place of [[body]]", file.value_or("--set")));
+  }
+  HtmlReport report("What scaling laws keep in a collision",
+                    "Each scaling law is applied to one pair at several factors, and every collision is resolved exactly. "
+                    "A law is exact for the pair if the scaled pair has the original's reduced impact speed and damping; then all that follows is the same but for the units of length and time.");
+  json results = json::array();
+  bool drawn = true;
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    const Input& input = inputs[i];
+    const ContactKind kind = effective_kind(input.contact, input.colliding().pair().surface_energy);
+    InvarianceChapter chapter{names[i], input, run_invariance(input, options.threads, options.progress("comparing laws, " + names[i])), obtain_table({kind, input.table_tolerance}, options.store())};
+    if (chapter.study.skipped > 0) options.say(fmt::format("{}: {} pairs of law and factor were left out: each law takes the factors on its side of 1", names[i], chapter.study.skipped));
+    results.push_back(study_json(chapter.study));
+    if (!options.json) {
+      fmt::print("{}\n", names[i]);
+      for (const LawSummary& summary : chapter.study.summaries) fmt::print("  {}\n", in_words(summary));
+    }
+    if (options.out.empty()) continue;
+    const std::filesystem::path folder = inputs.size() == 1 ? std::filesystem::path(options.out) : std::filesystem::path(options.out) / names[i];
+    write_file(folder / "input.toml", input_file_text(input, "invariance"));
+    write_file(folder / "result.json", results.back().dump(2) + "\n");
+    drawn = write_chapter(chapter, folder, report) && drawn;
+  }
+  if (!options.out.empty()) write_file(std::filesystem::path(options.out) / "index.html", report.text());
+  if (!drawn) options.say("some plots were not drawn: gnuplot is missing or failed; their scripts are kept in " + options.out);
+  if (options.json) fmt::print("{}\n", (results.size() == 1 ? results.front() : json{{"scenes", results}}).dump());
+}
+
+}  // namespace
+
+void add_invariance(CLI::App& app, Options& options, std::function<void()>& job) {
+  CLI::App* command = app.add_subcommand("invariance", "what each scaling law keeps and breaks in a pair, over factors and speeds");
+  add_options(*command, options, 100);
+  command->callback([&] {
+    job = [&options] {
+      if (!answered_early(options, estimate)) run(options);
+    };
+  });
+}
+
+}  // namespace scalebreak::apps

@@ -1,0 +1,100 @@
+#include <chrono>
+
+#include <fmt/format.h>
+
+#include <scalebreak/output/atomic_file.hpp>
+#include <scalebreak/output/csv.hpp>
+#include <scalebreak/output/plot.hpp>
+#include <scalebreak/table/table_file.hpp>
+
+#include "command.hpp"
+
+namespace scalebreak::apps {
+namespace {
+
+using nlohmann::json;
+
+/// Every kind of contact that has a table.
+std::vector<ContactKind> all_kinds() {
+  std::vector<ContactKind> kinds = {canonical({.normal = NormalModel::linear}), canonical({.normal = NormalModel::hertz})};
+  for (const auto range : {AdhesionRange::full, AdhesionRange::pull_off, AdhesionRange::touch}) {
+    for (const auto damping : {DampingOn::overlap, DampingOn::contact_radius}) kinds.push_back({NormalModel::jkr, range, damping});
+  }
+  return kinds;
+}
+
+/// Mean time of a lookup at one damping ratio [ns], over scattered speeds.
+double measure_lookup(const CollisionTable& table) {
+  const TableRow row = *table.row(0.1);
+  constexpr int count = 1'000'000;
+  unsigned random = 1;
+  double sum = 0;
+  const auto start = std::chrono::steady_clock::now();
+  for (int i = 0; i < count; ++i) {
+    random = random * 1664525u + 1013904223u;
+    const auto found = row.find(1.5 + 1e-5 * (random >> 8));
+    sum += found ? found->contact_time : 0;
+  }
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return sum > 0 ? seconds / count * 1e9 : 0;
+}
+
+json table_json(const StoredTable& stored) {
+  const CollisionTable& table = stored.table;
+  return {{"kind", to_string(table.key().kind)},
+          {"tolerance", table.key().tolerance},
+          {"entries", table.nodes().size()},
+          {"error_max", table.quality().error_max},
+          {"error_rms", table.quality().error_rms},
+          {"sticking_speed_error", table.quality().sticking_speed_error},
+          {"max_overlap_error", table.quality().max_overlap_error},
+          {"built", stored.built},
+          {"build_seconds", stored.build_seconds},
+          {"lookup_ns", measure_lookup(table)}};
+}
+
+/// e and t_c at the restitutions of a reader's interest, for a look at the table.
+void write_files(const Options& options, const CollisionTable& table) {
+  const std::string name = table_file_name(table.key());
+  Csv csv({"restitution_given [-]", "speed_reduced [-]", "restitution_normal [-]", "contact_time_reduced [-]", "max_overlap_reduced [-]"});
+  for (int row = 0; row < table.damping_axis().count; row += (table.damping_axis().count - 1) / 8) {
+    for (int column = 0; column < table.speed_axis().count; ++column) {
+      const TableNode& node = table.nodes()[static_cast<std::size_t>(row * table.speed_axis().count + column)];
+      csv.add({static_cast<double>(row), node.speed, node.restitution, node.contact_time, node.max_overlap});
+    }
+  }
+  write_file(std::filesystem::path(options.out) / (name + ".csv"), csv.text());
+}
+
+void print(const json& j) {
+  fmt::print("{}: {} entries, largest error {:.2e} (asked {:g}), rms {:.2e}, {}, {:.1f} ns a lookup\n", j["kind"].get<std::string>(), j["entries"].get<std::size_t>(), j["error_max"].get<double>(),
+             j["tolerance"].get<double>(), j["error_rms"].get<double>(), j["built"].get<bool>() ? fmt::format("built in {:.2f} s", j["build_seconds"].get<double>()) : std::string("read from the cache"),
+             j["lookup_ns"].get<double>());
+}
+
+}  // namespace
+
+void add_table(CLI::App& app, Options& options, std::function<void()>& job) {
+  CLI::App* command = app.add_subcommand("table", "build or inspect the collision table of a scene's kind of contact");
+  add_options(*command, options);
+  static bool all = false, rebuild = false;
+  command->add_flag("--all", all, "the tables of every kind of contact");
+  command->add_flag("--rebuild", rebuild, "build even where a good table is kept");
+  command->callback([&] {
+    job = [&options] {
+      if (answered_early(options, [](const Input&) { return "about 1 s on 2 cores at the default tolerance, below 10 MB"; })) return;
+      const Input input = options.input();
+      const auto kinds = all ? all_kinds() : std::vector{effective_kind(input.contact, input.colliding().pair().surface_energy)};
+      json results = json::array();
+      for (const ContactKind& kind : kinds) {
+        const StoredTable stored = obtain_table({kind, input.table_tolerance}, options.store(), rebuild);
+        results.push_back(table_json(stored));
+        if (!options.json) print(results.back());
+        if (!options.out.empty()) write_files(options, stored.table);
+      }
+      deliver(options, input, "table", all ? json{{"tables", results}} : results.front());
+    };
+  });
+}
+
+}  // namespace scalebreak::apps
