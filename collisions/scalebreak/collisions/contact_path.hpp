@@ -64,9 +64,9 @@ class Path {
  public:
   using State = typename Motion::State;
 
-  /// `overdamped`: without adhesion such a contact never ends, it only creeps towards zero overlap.
-  Path(Motion motion, const State& start, T tolerance, T max_step, bool overdamped)
-      : motion_(std::move(motion)), state_(start), tolerance_(tolerance), max_step_(max_step), overdamped_(overdamped) {}
+  /// `creeps`: overdamped (β ≥ 1), the contact never ends once it has turned.
+  Path(Motion motion, const State& start, T tolerance, T max_step, bool creeps)
+      : motion_(std::move(motion)), state_(start), tolerance_(tolerance), max_step_(max_step), creeps_(creeps) {}
 
   [[nodiscard]] const State& state() const { return state_; }
   [[nodiscard]] const State& deepest() const { return deepest_; }
@@ -98,10 +98,12 @@ class Path {
       }
       if (find_max_force) track_max_force(before, h);
       const bool outgoing = before[1] <= 0 || from > 0;
+      if (outgoing && creeps_) return End::settled;
       if (outgoing) {
         Point last{h, state_};
         const bool turned = state_[1] > 0 || (state_[1] == 0 && from == 0);
-        if (turned) last = root_of_speed(before, from, h);
+        // Far below the barrier it does not matter where it turned, and a creeping contact turns nowhere sharply.
+        if (turned && energy() > barrier - T(0.01) * start_speed * start_speed) last = root_of_speed(before, from, h);
         if (last.state[0] <= end) {
           state_ = root_of_coordinate(before, end, from, last.h).state;
           on_step(state_);
@@ -114,7 +116,10 @@ class Path {
         }
       }
       on_step(state_);
-      if (outgoing && settled(start_speed, barrier)) return End::settled;
+      if (settled(start_speed, barrier)) {
+        if (!outgoing) deepest_ = state_;
+        return End::settled;
+      }
     }
   }
 
@@ -136,16 +141,14 @@ class Path {
       const T h = max_step_ > 0 ? std::min(next_step_, max_step_) : next_step_;
       stepper_.do_step(std::cref(motion_), state_, rate, T(0), next, h, error);
       T norm = T(1e-8);
-      for (std::size_t i = 0; i < next.size(); ++i) {
-        if (!std::isfinite(next[i]) || !std::isfinite(error[i])) throw WorkError(describe("left the finite numbers"));
-        norm = std::max(norm, std::abs(error[i]) / (tolerance_ * (1 + std::abs(state_[i]))));
-      }
+      for (std::size_t i = 0; i < next.size(); ++i) norm = std::max(norm, std::abs(error[i]) / (tolerance_ * (1 + std::abs(state_[i]))));
+      const bool finite = std::all_of(next.begin(), next.end(), [](T value) { return std::isfinite(value); }) && std::isfinite(norm);
       if (++tries_ > step_cap) throw WorkError(describe(fmt::format("did not end within {} steps", step_cap)));
       const T eighth_root = std::sqrt(std::sqrt(std::sqrt(norm)));
-      if (norm > 1) {
-        next_step_ = h * std::max(T(0.2), T(0.85) / eighth_root);
-        if (next_step_ <= std::numeric_limits<T>::epsilon() * tolerance_) throw WorkError(describe("stalled (its step fell to zero)"));
-        continue;
+      if (!finite || norm > 1) {
+        next_step_ = h * (finite ? std::max(T(0.2), T(0.85) / eighth_root) : T(0.1));
+        if (next_step_ > std::numeric_limits<T>::epsilon() * tolerance_) continue;
+        throw WorkError(describe(finite ? "stalled (its step fell to zero)" : "left the finite numbers"));
       }
       next_step_ = h * std::clamp(T(0.88) * std::sqrt(last_root_) / eighth_root, T(0.2), T(4));
       last_root_ = eighth_root;
@@ -222,13 +225,15 @@ class Path {
     max_force_ = std::max({max_force_, -value, total_force(state_)});
   }
 
-  /// A contact that has all but stopped and either lacks the energy to pass the barrier or only creeps.
+  /// A damped contact with less energy than the barrier that has all but stopped: it will never part.
   [[nodiscard]] bool settled(T start_speed, T barrier) const {
     const T speed = state_[1];
-    if (overdamped_ && std::abs(speed) < T(1e-6) * start_speed) return true;
-    const T energy = speed * speed / 2 + motion_.law.energy(motion_.coordinate(state_));
-    return energy < barrier && speed * speed < T(1e-6) * std::min(start_speed * start_speed, barrier - energy);
+    const T missing = barrier - energy();
+    return missing > 0 && speed * speed < T(1e-6) * std::min(start_speed * start_speed, missing);
   }
+
+  /// Kinetic and potential, zero at rest at first touch.
+  [[nodiscard]] T energy() const { return state_[1] * state_[1] / 2 + motion_.law.energy(motion_.coordinate(state_)); }
 
   [[nodiscard]] std::string describe(const std::string& what) const {
     return fmt::format("the path of the contact {} at reduced time {:.6g}, coordinate {:.6g}, approach speed {:.6g}", what,
@@ -241,7 +246,7 @@ class Path {
   State deepest_{};
   T tolerance_;
   T max_step_;
-  bool overdamped_;
+  bool creeps_;
   T next_step_ = T(0.1);
   T last_root_ = 1;  ///< eighth root of the last step's error
   T step_ = 0;  ///< length of the last accepted step

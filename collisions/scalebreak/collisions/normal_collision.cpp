@@ -20,7 +20,7 @@ struct WorkUnits {
 template <class T>
 struct Resolver {
   const CollisionOptions<T>& options;
-  bool overdamped;
+  bool creeps;
   WorkUnits<T> units{};
   NormalOutcome<T> outcome{};
 
@@ -38,7 +38,8 @@ struct Resolver {
   template <class Motion>
   std::pair<End, typename Motion::State> follow(const Motion& motion, const typename Motion::State& start, T end, T barrier) {
 
-    contact_path::Path<T, Motion> path(motion, start, options.tolerance, options.max_step, overdamped);
+    // The error of a step is held to half the tolerance: room for the sum over the steps.
+    contact_path::Path<T, Motion> path(motion, start, options.tolerance / 2, options.max_step, creeps);
     const auto ended = path.follow(end, barrier, options.find_max_force, observer(path, motion));
     outcome.steps += path.steps();
     outcome.max_force = std::max(outcome.max_force, path.max_force() * units.force);
@@ -121,6 +122,7 @@ NormalOutcome<T> resolve_normal_collision(const ContactKind& kind, T damping_rat
 template <class T>
 T reduced_sticking_speed(const ContactKind& kind, T damping_ratio, T tolerance) {
   if (!kind.adhesive()) return T(0);
+  if (damping_ratio >= 1) return std::numeric_limits<T>::infinity();
   if (kind.range == AdhesionRange::touch && damping_ratio == 0) return T(0);
   const CollisionOptions<T> options{.tolerance = tolerance};
   const auto residue = [&](T speed) { return resolve_normal_collision(kind, damping_ratio, speed, options).energy_residue; };

@@ -35,7 +35,7 @@ struct NormalOutcome {
   T max_overlap = 0;
   T max_coordinate = 0;    ///< √a at the maximum overlap, or that overlap itself of a linear contact
   T max_force = 0;         ///< of spring and dashpot together; only if asked for
-  T energy_residue = 0;    ///< energy left at separation, or missing there (negative), over m*·(speed unit)²
+  T energy_residue = 0;    ///< energy left at separation, or missing there (negative), over m*·(speed unit)²; for β < 1
   int steps = 0;
 };
 
@@ -50,8 +50,8 @@ template <class T>
 [[nodiscard]] NormalOutcome<T> resolve_normal_collision(const ContactKind& kind, T damping_ratio, T reduced_speed,
                                                         const CollisionOptions<T>& options = {});
 
-/// The reduced speed below which the pair sticks: the root of the energy residue, 0 where
-/// nothing can stick (no adhesion, or an undamped contact that ends at touch).
+/// The reduced speed below which the pair sticks: the root of the energy residue, 0 where nothing can stick (no
+/// adhesion, or an undamped contact that ends at touch), infinite where everything does (adhesion and β ≥ 1).
 template <class T>
 [[nodiscard]] T reduced_sticking_speed(const ContactKind& kind, T damping_ratio, T tolerance = T(1e-12));
 

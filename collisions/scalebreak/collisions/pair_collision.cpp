@@ -82,7 +82,8 @@ ScaledContact::ScaledContact(const ContactKind& kind, const Bodies& original, co
 std::optional<double> ScaledContact::sticking_speed(double tolerance) const {
   if (!kind_.adhesive()) return std::nullopt;
   const ReducedCollision unit = reduced(1.0);
-  return reduced_sticking_speed(kind_, unit.damping_ratio, std::min(tolerance, 1e-12)) * unit.scales.speed();
+  const double stick = reduced_sticking_speed(kind_, unit.damping_ratio, std::min(tolerance, 1e-12)) * unit.scales.speed();
+  return std::isfinite(stick) ? std::optional(stick) : std::nullopt;
 }
 
 PairCollision ScaledContact::collide(double speed, double tolerance) const {

@@ -21,7 +21,7 @@ struct PairCollision {
   std::optional<double> contact_time;   ///< [s]; none if stuck
   double max_overlap = 0;               ///< [m]
   double max_force = 0;                 ///< spring and dashpot [N]; only if asked for
-  std::optional<double> sticking_speed; ///< [m/s]; none without adhesion, 0 where nothing can stick
+  std::optional<double> sticking_speed; ///< [m/s]; none without adhesion and where every collision sticks, 0 where nothing can
   int steps = 0;
 };
 
@@ -42,7 +42,7 @@ class ScaledContact {
   /// What turns the evaluated pair's overlaps, times and forces into those of the scaled system.
   [[nodiscard]] const ScaledPair& scaled() const { return scaled_; }
 
-  /// Of the pair, by the exact engine: none without adhesion [m/s].
+  /// Of the pair, by the exact engine [m/s]: none without adhesion, nor where a mapped dashpot makes every collision stick.
   [[nodiscard]] std::optional<double> sticking_speed(double tolerance) const;
   /// The exact collision at an impact speed [m/s], without its sticking speed.
   [[nodiscard]] PairCollision collide(double speed, double tolerance) const;
