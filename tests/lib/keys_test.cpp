@@ -132,7 +132,9 @@ TEST(Keys, BoundsAreTheEdgeOfWhatIsTaken) {
     const Bounds bounds = bounds_of(key.dotted());
     Input input = with_bodies();
     EXPECT_NO_THROW(key.set(input, filled(like, bounds.high))) << key.dotted();
-    if (bounds.low_allowed) EXPECT_NO_THROW(key.set(input, filled(like, bounds.low))) << key.dotted();
+    if (bounds.low_allowed) {
+      EXPECT_NO_THROW(key.set(input, filled(like, bounds.low))) << key.dotted();
+    }
     std::vector<double> outside = {std::nextafter(bounds.low, -infinity), std::nextafter(bounds.high, infinity), NAN, infinity, -infinity};
     if (!bounds.low_allowed) outside.push_back(bounds.low);
     for (const double number : outside) {
@@ -152,10 +154,18 @@ TEST(Keys, OneWrongNumberInAnArrayIsEnough) {
 TEST(Keys, RefuseAnotherKindOfValue) {
   for (const Key& key : keys_and_body_keys()) {
     const Value own = key.get(with_bodies());
-    if (!std::holds_alternative<double>(own)) EXPECT_EQ(refused(key, 0.5), "found 0.5") << key.dotted();
-    if (!std::holds_alternative<bool>(own)) EXPECT_EQ(refused(key, true), "found true") << key.dotted();
-    if (!std::holds_alternative<std::string>(own)) EXPECT_EQ(refused(key, std::string("0.5")), "found \"0.5\"") << key.dotted();
-    if (is_numeric(own)) EXPECT_EQ(refused(key, std::vector<std::string>{"a"}), "found [\"a\"]") << key.dotted();
+    if (!std::holds_alternative<double>(own)) {
+      EXPECT_EQ(refused(key, 0.5), "found 0.5") << key.dotted();
+    }
+    if (!std::holds_alternative<bool>(own)) {
+      EXPECT_EQ(refused(key, true), "found true") << key.dotted();
+    }
+    if (!std::holds_alternative<std::string>(own)) {
+      EXPECT_EQ(refused(key, std::string("0.5")), "found \"0.5\"") << key.dotted();
+    }
+    if (is_numeric(own)) {
+      EXPECT_EQ(refused(key, std::vector<std::string>{"a"}), "found [\"a\"]") << key.dotted();
+    }
   }
 }
 
@@ -181,7 +191,9 @@ TEST(Keys, ArraysHaveLengths) {
     EXPECT_TRUE(length_taken(dotted, least)) << dotted;
     EXPECT_TRUE(length_taken(dotted, most)) << dotted;
     EXPECT_FALSE(length_taken(dotted, most + 1)) << dotted;
-    if (least > 0) EXPECT_FALSE(length_taken(dotted, least - 1)) << dotted;
+    if (least > 0) {
+      EXPECT_FALSE(length_taken(dotted, least - 1)) << dotted;
+    }
   }
 }
 

@@ -100,6 +100,14 @@ TEST(TomlReader, NamesTheLineOfWhatIsNotToml) {
   EXPECT_THAT(sentence_for("a = " + std::string(1000, '[')), StartsWith("scene.toml, line 1: this is not TOML: "));
 }
 
+TEST(TomlReaderDeathTest, RefusesKeysThatAreTooDeepForTheStack) {
+  std::string deep = "a";
+  for (int i = 0; i < 100'000; ++i) deep += ".a";
+  for (const std::string& text : {deep + " = 1", "[" + deep + "]\nb = 1", "a = {" + deep + " = 1}"}) {
+    EXPECT_EXIT(std::exit(sentence_for(text).find("scene.toml, line ") == 0 ? 3 : 4), testing::ExitedWithCode(3), "");
+  }
+}
+
 TEST(TomlReader, AnEmptyTextGivesNothing) {
   EXPECT_TRUE(read_toml("", "text").empty());
   EXPECT_TRUE(read_toml("# only a remark\n", "text").empty());

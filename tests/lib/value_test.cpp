@@ -28,7 +28,9 @@ TEST(Value, NumbersReadBackToTheSameBits) {
   std::mt19937_64 random(20240501);
   for (int i = 0; i < 5000; ++i) {
     const double number = std::ldexp(static_cast<double>(random()) - 9e18, static_cast<int>(random() % 2000) - 1060);
-    if (std::isfinite(number)) EXPECT_EQ(read_back(number), Value(number)) << number;
+    if (std::isfinite(number)) {
+      EXPECT_EQ(read_back(number), Value(number)) << number;
+    }
   }
 }
 

@@ -28,7 +28,7 @@ struct RegularMotion {
   using State = std::array<T, 3>;
   Law law;
 
-  void operator()(const State& y, State& rate, T) const {
+  [[gnu::always_inline]] void operator()(const State& y, State& rate, T) const {
     const T slope = law.overlap_slope(y[0]);
     rate[0] = y[1];
     rate[1] = -(law.force(y[0]) + law.damping(y[0]) * y[1]) * slope;
@@ -45,7 +45,7 @@ struct OverlapRootMotion {
   using State = std::array<T, 4>;
   Jkr<T, DampingOn::overlap> law;
 
-  void operator()(const State& y, State& rate, T) const {
+  [[gnu::always_inline]] void operator()(const State& y, State& rate, T) const {
     const T slope = 4 * y[0] * y[0] * y[0];
     rate[0] = y[1];
     rate[1] = -(law.force(y[3]) + law.damping_of_root(y[0]) * y[1]) * slope;
@@ -66,7 +66,7 @@ class Path {
 
   /// `creeps`: overdamped (β ≥ 1), the contact never ends once it has turned.
   Path(Motion motion, const State& start, T tolerance, T max_step, bool creeps)
-      : motion_(std::move(motion)), state_(start), tolerance_(tolerance), max_step_(max_step), creeps_(creeps) {}
+      : motion_(std::move(motion)), state_(start), tolerance_(tolerance), max_step_(max_step), creeps_(creeps), next_step_(std::sqrt(std::sqrt(std::sqrt(tolerance)))) {}
 
   [[nodiscard]] const State& state() const { return state_; }
   [[nodiscard]] const State& deepest() const { return deepest_; }
@@ -116,7 +116,8 @@ class Path {
         }
       }
       on_step(state_);
-      if (settled(start_speed, barrier)) {
+      // Inwards, so little speed that what it would still go deeper is below rounding.
+      if (settled(start_speed, barrier) && (outgoing || std::abs(state_[1]) < T(1e-8) * start_speed)) {
         if (!outgoing) deepest_ = state_;
         return End::settled;
       }
@@ -183,18 +184,23 @@ class Path {
       return std::make_pair(last.state[k] - target, rate[k]);
     };
     std::uintmax_t iterations = 100;
-    const T guess = cubic_crossing(before, k, target, low, high);
-    const T found = boost::math::tools::newton_raphson_iterate(value, guess, low, high, digits, iterations);
+    T found;
+    try {
+      found = boost::math::tools::newton_raphson_iterate(value, cubic_crossing(before, k, target, low, high), low, high, digits, iterations);
+    } catch (const boost::math::evaluation_error&) {
+      // An overdamped contact that creeps to its equilibrium crosses it by rounding alone: no slope to follow.
+      return {high, stepped(before, high)};
+    }
     for (std::size_t i = 0; i < last.state.size(); ++i) last.state[i] += rate[i] * (found - last.h);
     last.h = found;
     return last;
   }
   /// The overlap is stationary at a turning point: half the digits give all of its depth.
   Point root_of_speed(const State& before, T low, T high) {
-    return root(before, 1, T(0), low, high, std::numeric_limits<T>::digits / 4 + 2);
+    return root(before, 1, T(0), low, high, std::numeric_limits<T>::digits / 3);
   }
   Point root_of_coordinate(const State& before, T end, T low, T high) {
-    return root(before, 0, end, low, high, std::numeric_limits<T>::digits / 2 + 2);
+    return root(before, 0, end, low, high, std::numeric_limits<T>::digits / 2 - 4);
   }
 
   /// Where the cubic through the last step's ends and slopes passes `target`, within (low, high).
@@ -209,7 +215,7 @@ class Path {
     T left = low / h, right = high / h;
     const auto cubic = [&](T u) { return before[k] - target + u * (h * rate0[k] + u * (square + u * cube)); };
     const T sign = cubic(right) > 0 ? T(1) : T(-1);
-    for (int i = 0; i < 12; ++i) {
+    for (int i = 0; i < 24; ++i) {
       const T middle = (left + right) / 2;
       (sign * cubic(middle) > 0 ? right : left) = middle;
     }
@@ -247,7 +253,7 @@ class Path {
   T tolerance_;
   T max_step_;
   bool creeps_;
-  T next_step_ = T(0.1);
+  T next_step_;
   T last_root_ = 1;  ///< eighth root of the last step's error
   T step_ = 0;  ///< length of the last accepted step
   T max_force_ = 0;

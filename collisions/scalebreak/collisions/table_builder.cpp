@@ -128,6 +128,7 @@ TableOutcome exact_table_outcome(const ContactKind& kind, double damping_ratio, 
 }
 
 CollisionTable build_collision_table(const TableKey& key, int threads, const std::function<void(double)>& progress) {
+  if (!(key.tolerance >= 1e-9 && key.tolerance <= 1e-2)) throw WorkError(fmt::format("a collision table has a tolerance of 1e-9 to 1e-2, found {:g}", key.tolerance));
   const TableKey canonical_key{canonical(key.kind), key.tolerance};
   const auto report = [&](double done) {
     if (progress) progress(done);

@@ -1,0 +1,280 @@
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <gtest/gtest.h>
+
+#include <lib/resolving.hpp>
+#include <lib/surroundings.hpp>
+#include <scalebreak/scene/keys.hpp>
+
+// Damaged inputs: whatever the bytes, the reader either refuses them with an InputError or gives an Input whose every
+// number lies in its bounds and which reads back the same. Each mutant is a function of its number alone.
+
+namespace scalebreak {
+namespace {
+
+namespace fs = std::filesystem;
+
+using Random = std::mt19937_64;
+
+std::size_t below(Random& random, std::size_t count) { return count == 0 ? 0 : random() % count; }
+
+template <class List>
+const auto& any_of(Random& random, const List& list) {
+  return list[below(random, std::size(list))];
+}
+
+constexpr const char* two_bodies = R"([contact]
+normal = "hertz"
+[scaling]
+law = "sup"
+factor = 2
+[[body]]
+position = [0, 0, 0.01]
+velocity = [0, 0, -0.5]
+radius = 1e-3
+[[body]]
+position = [0, 0, 0]
+velocity = [0, 0, 0.25]
+radius = 2e-3
+)";
+
+std::vector<std::string> seed_texts() {
+  std::vector<std::string> texts = {write_input(Input{}), two_bodies, describe_keys()};
+  for (const char* folder : {"scenes", "materials"}) {
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::directory_iterator(fs::path(SCALEBREAK_SOURCE) / "data" / folder)) files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    for (const fs::path& file : files) {
+      texts.push_back(tests::content_of(file));
+      // A material's source is no key of an input: with it, every mutant of that file would fail alike.
+      if (const std::size_t source = texts.back().find("source = "); source != std::string::npos) texts.back().insert(source, "# ");
+    }
+  }
+  return texts;
+}
+
+struct Span {
+  std::size_t begin, end;
+};
+
+/// Where the values of "key = value" lines stand in a text.
+std::vector<Span> values_of(const std::string& text) {
+  std::vector<Span> spans;
+  for (std::size_t at = text.find(" = "); at != std::string::npos; at = text.find(" = ", at + 3)) {
+    const std::size_t end = text.find_first_of("#\n", at + 3);
+    spans.push_back({at + 3, end == std::string::npos ? text.size() : end});
+  }
+  return spans;
+}
+
+std::string repeated(const std::string& part, std::size_t count) {
+  std::string all;
+  for (std::size_t i = 0; i < count; ++i) all += part;
+  return all;
+}
+
+/// A value of any kind: odd numbers, words, arrays, deep brackets, things that are no value.
+std::string odd_value(Random& random) {
+  constexpr const char* odd[] = {"nan",    "inf",     "-inf",  "-0.0",  "0",      "1",     "1.0000000000000002",  "-1",      "1e308",   "1e999",      "-1e-320",    "4.9e-324", "99999999999999999999999",
+                                 "0x1f",   "1_000",   "1e-9",  "1e-13", "0.5",    "2",     "1e3",                 "1e14",    "100",     "0.1",        "true",       "false",    "\"\"",
+                                 "\"rps\"", "\"wall\"", "\"hertz\"", "\"linear\"", "\"none\"", "\"glass\"", "\"latex\"", "\"\\u0000\"", "'''x'''", "1979-05-27", "07:32:00", "[]", "[[]]",
+                                 "[1e-3]", "[1e-3, 2e-3]", "[0, 0, 1]", "[nan, 1]", "[1, \"a\"]", "[true]", "[\"rps\", \"sup\"]", "{}", "{a = 1}", "velvet", "", "=", "\"open", "[1, 2", "\xff\xfe", "\"\xc3\x28\""};
+  const std::size_t depth = 1 + below(random, 600);
+  switch (below(random, 12)) {
+    case 0: return fmt::format("{}", std::ldexp(static_cast<double>(random()), static_cast<int>(below(random, 200)) - 160));
+    case 1: return fmt::format("{}", std::ldexp(1.0, static_cast<int>(below(random, 2100)) - 1050));
+    case 2: return repeated("[", depth) + "1" + repeated("]", depth);
+    case 3: return repeated("{a=", depth) + "1" + repeated("}", depth);
+    default: return any_of(random, odd);
+  }
+}
+
+void flip_bytes(std::string& text, Random& random) {
+  for (std::size_t i = 0; i <= below(random, 4) && !text.empty(); ++i) text[below(random, text.size())] = static_cast<char>(random());
+}
+
+void delete_part(std::string& text, Random& random) { text.erase(below(random, text.size() + 1), 1 + below(random, 60)); }
+
+void duplicate_part(std::string& text, Random& random) {
+  const std::string part = text.substr(below(random, text.size() + 1), 1 + below(random, 200));
+  text.insert(below(random, text.size() + 1), repeated(part, 1 + below(random, 3)));
+}
+
+void splice(std::string& text, Random& random, const std::vector<std::string>& seeds) {
+  const std::string& other = any_of(random, seeds);
+  text = text.substr(0, below(random, text.size() + 1)) + other.substr(below(random, other.size() + 1));
+}
+
+void swap_values(std::string& text, Random& random) {
+  const auto spans = values_of(text);
+  if (spans.size() < 2) return;
+  const std::size_t i = below(random, spans.size() - 1), j = i + 1 + below(random, spans.size() - 1 - i);
+  const std::string first = text.substr(spans[i].begin, spans[i].end - spans[i].begin), second = text.substr(spans[j].begin, spans[j].end - spans[j].begin);
+  text.replace(spans[j].begin, second.size(), first);  // the later one first, so that the earlier one stays in place
+  text.replace(spans[i].begin, first.size(), second);
+}
+
+void replace_value(std::string& text, Random& random) {
+  const auto spans = values_of(text);
+  if (spans.empty()) return;
+  const Span span = any_of(random, spans);
+  text.replace(span.begin, span.end - span.begin, odd_value(random));
+}
+
+/// A number times something, so that some mutants are another sound input.
+void rescale_number(std::string& text, Random& random) {
+  const auto spans = values_of(text);
+  if (spans.empty()) return;
+  const Span span = any_of(random, spans);
+  const std::string old = text.substr(span.begin, span.end - span.begin);
+  char* end = nullptr;
+  const double number = std::strtod(old.c_str(), &end);
+  if (end == old.c_str()) return;
+  text.replace(span.begin, static_cast<std::size_t>(end - old.c_str()), fmt::format("{}", number * std::pow(10.0, static_cast<double>(below(random, 8001)) / 1000 - 4)));
+}
+
+/// The lines, one of them gone, doubled or elsewhere.
+void move_line(std::string& text, Random& random) {
+  const std::size_t begin = text.find('\n', below(random, text.size() + 1));
+  if (begin == std::string::npos) return;
+  const std::string line = text.substr(begin, text.find('\n', begin + 1) - begin);
+  const std::size_t what = below(random, 3);
+  if (what != 0) text.erase(begin, line.size());
+  if (what != 1) text.insert(std::min(text.size(), text.find('\n', below(random, text.size() + 1))), line);
+}
+
+void insert_odd(std::string& text, Random& random) {
+  constexpr const char* odd[] = {"\xff", "\xc0\x80", "\xed\xa0\x80", "\xf4\x90\x80\x80", "\xef\xbb\xbf", "[[body]]\n", "\n[body]\n", "\n[", "]", "\"", "\"\"\"", "\n= 1\n", "\r", "\x7f", "#", ".", "\\"};
+  const std::size_t depth = 1 + below(random, 400);
+  const std::string part = below(random, 6) == 0 ? "\n" + repeated("a.", depth) + "a = 1\n" : below(random, 6) == 0 ? std::string(1, '\0') : std::string(any_of(random, odd));
+  text.insert(below(random, text.size() + 1), part);
+}
+
+std::string mutant(std::string text, Random& random, const std::vector<std::string>& seeds) {
+  const std::size_t changes = 1 + below(random, 4);
+  for (std::size_t i = 0; i < changes; ++i) {
+    switch (below(random, 20)) {
+      case 0: flip_bytes(text, random); break;
+      case 1: delete_part(text, random); break;
+      case 2: duplicate_part(text, random); break;
+      case 3: splice(text, random, seeds); break;
+      case 4:
+      case 5: swap_values(text, random); break;
+      case 6: insert_odd(text, random); break;
+      case 7:
+      case 8:
+      case 9: move_line(text, random); break;
+      case 10:
+      case 11:
+      case 12:
+      case 13:
+      case 14: rescale_number(text, random); break;
+      default: replace_value(text, random);
+    }
+  }
+  return text;
+}
+
+/// Settings that each put one odd value on a key that exists.
+std::vector<std::string> odd_settings(Random& random) {
+  std::vector<std::string> settings;
+  for (std::size_t count = below(random, 4); count > 0; --count) settings.push_back(any_of(random, keys()).dotted() + "=" + odd_value(random));
+  return settings;
+}
+
+testing::AssertionResult in_bounds(const Input& input, const Key& key) {
+  const Value value = key.get(input);
+  std::vector<double> numbers;
+  if (const auto* number = std::get_if<double>(&value)) numbers = {*number};
+  if (const auto* array = std::get_if<std::vector<double>>(&value)) numbers = *array;
+  for (const double number : numbers) {
+    if (!std::isfinite(number) || !bounds_of(key.dotted()).contain(number)) return testing::AssertionFailure() << key.dotted() << " = " << number;
+  }
+  return testing::AssertionSuccess();
+}
+
+struct Tally {
+  int accepted = 0, refused = 0, with_bodies = 0, against_wall = 0;
+};
+
+/// Reads a mutant: refused in a sentence, or an Input that keeps every promise. Anything else fails the test.
+void read(const std::string& text, const std::vector<std::string>& settings, Tally& tally) {
+  Input input;
+  try {
+    input = tests::resolved(text, settings);
+  } catch (const InputError& error) {
+    ++tally.refused;
+    EXPECT_STRNE(error.what(), "");
+    return;
+  } catch (const std::exception& error) {
+    ADD_FAILURE() << "not an InputError: " << error.what();
+    return;
+  } catch (...) {
+    ADD_FAILURE() << "not an InputError, and no std::exception";
+    return;
+  }
+  ++tally.accepted;
+  tally.with_bodies += !input.bodies.empty();
+  tally.against_wall += input.against_wall;
+  for (const Key& key : keys()) EXPECT_TRUE(in_bounds(input, key));
+  for (std::size_t i = 0; i < input.bodies.size(); ++i) {
+    for (const Key& key : body_keys(i)) EXPECT_TRUE(in_bounds(input, key));
+  }
+  EXPECT_NO_THROW(EXPECT_TRUE(tests::resolved(write_input(input)) == input) << write_input(input));
+}
+
+struct InputFuzz : testing::Test {
+  const std::string data = std::string(SCALEBREAK_SOURCE) + "/data";
+  tests::EnvironmentVariable environment{"SCALEBREAK_DATA", data.c_str()};
+  const std::vector<std::string> seeds = seed_texts();
+  Tally tally;
+};
+
+TEST_F(InputFuzz, DamagedFilesAndSettingsAreRefusedOrKeepEveryPromise) {
+  for (std::uint64_t i = 0; i < 40'000 && !HasFailure(); ++i) {
+    Random random(i);
+    const std::string text = mutant(any_of(random, seeds), random, seeds);
+    const std::vector<std::string> settings = below(random, 3) == 0 ? odd_settings(random) : std::vector<std::string>{};
+    SCOPED_TRACE(fmt::format("mutant {}:\n{}\nsettings: {}", i, text, fmt::join(settings, " ")));
+    read(text, settings, tally);
+  }
+  // The mutants are neither all hopeless nor all harmless.
+  EXPECT_GT(tally.accepted, 4000);
+  EXPECT_GT(tally.refused, 10'000);
+  EXPECT_GT(tally.with_bodies, 200);
+  EXPECT_GT(tally.against_wall, 200);
+}
+
+TEST_F(InputFuzz, DamagedMaterialFilesAreRefusedOrKeepEveryPromise) {
+  const tests::TemporaryFolder folder;
+  const tests::EnvironmentVariable elsewhere("SCALEBREAK_DATA", folder.path().c_str());
+  const std::string latex = tests::content_of(fs::path(SCALEBREAK_SOURCE) / "data/materials/latex.toml");
+  for (std::uint64_t i = 0; i < 1500 && !HasFailure(); ++i) {
+    Random random(i);
+    const std::string text = mutant(latex, random, seeds);
+    SCOPED_TRACE(fmt::format("material {}:\n{}", i, text));
+    tests::put_file(folder / "materials/mutant.toml", text);
+    read("[material]\nname = \"mutant\"\n[wall]\nname = \"mutant\"\n", {}, tally);
+  }
+  EXPECT_GT(tally.accepted, 150);
+  EXPECT_GT(tally.refused, 500);
+}
+
+TEST_F(InputFuzz, SettingsOfRandomBytesAreRefused) {
+  for (std::uint64_t i = 0; i < 2000 && !HasFailure(); ++i) {
+    Random random(i);
+    std::string text(below(random, 30), ' ');
+    for (char& c : text) c = static_cast<char>(random());
+    SCOPED_TRACE(fmt::format("setting {}: {}", i, text));
+    read("", {text}, tally);
+    read("", {"material.young=" + text}, tally);
+  }
+  EXPECT_GT(tally.refused, 3900);
+}
+
+}  // namespace
+}  // namespace scalebreak
