@@ -42,7 +42,8 @@ json bodies_json(const CollisionResult& result) {
   json j = pair_json(result);
   for (const char* pair_only : {"velocity1", "velocity2", "spin1", "spin2"}) j.erase(pair_only);
   j["bodies"] = json::array();
-  for (const BodyState& body : result.bodies) j["bodies"].push_back({{"position", vector_json(body.position)}, {"velocity", vector_json(body.velocity)}, {"spin", no_spin}});
+  for (const BodyState& body : result.bodies)
+    j["bodies"].push_back({{"position", vector_json(body.position)}, {"velocity", vector_json(body.velocity)}, {"spin", no_spin}});
   j["contacts"] = 1;
   return j;
 }
@@ -58,7 +59,8 @@ void print(const CollisionResult& result) {
     fmt::print("restitution       {:.10g}\ncontact time      {:.6g} s\n", c.restitution, *c.contact_time);
   }
   fmt::print("largest overlap   {:.6g} m\nlargest force     {:.6g} N\n", c.max_overlap, c.max_force);
-  fmt::print("kinetic energy    {:.6g} J before, {:.6g} J after\nexact steps       {}\n", result.energy_before, result.energy_after, c.steps);
+  fmt::print("kinetic energy    {:.6g} J before, {:.6g} J after\nexact steps       {}\n", result.energy_before, result.energy_after,
+             c.steps);
 }
 
 void write_files(const Options& options, const Input& input) {
@@ -68,9 +70,16 @@ void write_files(const Options& options, const Input& input) {
     csv.add({p.time, p.overlap, p.contact_radius, p.speed, p.elastic_force, p.damping_force, p.elastic_force + p.damping_force});
   }
   write_file(std::filesystem::path(options.out) / "trajectory.csv", csv.text());
-  Plot plot{"force_overlap", fmt::format("Normal force and overlap at {:.4g} m/s ({})", speed, to_string(contact.kind())), "overlap [m]", "force, positive in repulsion [N]", false, false, {}};
+  Plot plot{"force_overlap",
+            fmt::format("Normal force and overlap at {:.4g} m/s ({})", speed, to_string(contact.kind())),
+            "overlap [m]",
+            "force, positive in repulsion [N]",
+            false,
+            false,
+            {}};
   plot.curves = {{"trajectory.csv", "2", "7", "spring and dashpot"}, {"trajectory.csv", "2", "5", "spring and adhesion"}};
-  if (!draw(plot, options.out)) options.say("force_overlap was not drawn: gnuplot is missing or failed; its script is kept in " + options.out);
+  if (!draw(plot, options.out))
+    options.say("force_overlap was not drawn: gnuplot is missing or failed; its script is kept in " + options.out);
 }
 
 }  // namespace

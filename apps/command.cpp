@@ -48,14 +48,18 @@ std::function<void(double)> Options::progress(const std::string& what) const {
     state->shown = percent;
     const double spent = std::chrono::duration<double>(std::chrono::steady_clock::now() - state->start).count();
     const std::string bar(static_cast<std::size_t>(percent / 4), '#');
-    fmt::print(stderr, "{}{}: [{:<25}] {:3d} %, {:.0f} s left{}", terminal ? "\r" : "", what, bar, percent, done > 0 ? spent * (1 - done) / done : 0.0, terminal && percent < 100 ? "" : "\n");
+    fmt::print(stderr, "{}{}: [{:<25}] {:3d} %, {:.0f} s left{}", terminal ? "\r" : "", what, bar, percent,
+               done > 0 ? spent * (1 - done) / done : 0.0, terminal && percent < 100 ? "" : "\n");
     std::fflush(stderr);
   };
 }
 
 void add_options(CLI::App& command, Options& options, int most_files) {
   command.add_option("file", options.files, "input, TOML; without one the defaults hold")->expected(0, most_files)->type_name("FILE.toml");
-  command.add_option("--set", options.settings, "dotted.key=value, over the file; repeatable")->take_all()->allow_extra_args(false)->type_name("KEY=VALUE");
+  command.add_option("--set", options.settings, "dotted.key=value, over the file; repeatable")
+      ->take_all()
+      ->allow_extra_args(false)
+      ->type_name("KEY=VALUE");
   command.add_option("--out", options.out, "folder for the results")->type_name("DIR");
   command.add_option("--tables", options.tables, "folder of the collision tables (default: the user's cache)")->type_name("DIR");
   command.add_option("--threads", options.threads, "cores to use (default: all)")->check(CLI::Range(0, 4096))->type_name("N");
@@ -81,7 +85,8 @@ bool answered_early(const Options& options, const std::function<std::string(cons
 }
 
 std::string input_file_text(const Input& input, const std::string& command) {
-  return fmt::format("# scalebreak {}: resolved input; run it again with: scalebreak {} input.toml\n{}", version(), command, write_input(input));
+  return fmt::format("# scalebreak {}: resolved input; run it again with: scalebreak {} input.toml\n{}", version(), command,
+                     write_input(input));
 }
 
 void deliver(const Options& options, const Input& input, const std::string& command, const nlohmann::json& result) {

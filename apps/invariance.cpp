@@ -59,25 +59,33 @@ void run(const Options& options) {
   std::vector<Input> inputs;  // all of them are read before any work is done
   for (const auto& file : files) {
     inputs.push_back(options.input(file));
-    if (!inputs.back().bodies.empty()) throw InputError(fmt::format("{}: invariance compares pairs; allowed: [pair] and [impact] in place of [[body]]", file.value_or("--set")));
+    if (!inputs.back().bodies.empty())
+      throw InputError(fmt::format("{}: invariance compares pairs; allowed: [pair] and [impact] in place of [[body]]", file.value_or("--"
+                                                                                                                                     "se"
+                                                                                                                                     "t")));
   }
   HtmlReport report("What scaling laws keep in a collision",
                     "Each scaling law is applied to one pair at several factors, and every collision is resolved exactly. "
-                    "A law is exact for the pair if the scaled pair has the original's reduced impact speed and damping; then all that follows is the same but for the units of length and time.");
+                    "A law is exact for the pair if the scaled pair has the original's reduced impact speed and damping; then all that "
+                    "follows is the same but for the units of length and time.");
   json results = json::array();
   bool drawn = true;
   for (std::size_t i = 0; i < inputs.size(); ++i) {
     const Input& input = inputs[i];
     const ContactKind kind = effective_kind(input.contact, input.colliding().pair().surface_energy);
-    InvarianceChapter chapter{names[i], input, run_invariance(input, options.threads, options.progress("comparing laws, " + names[i])), obtain_table({kind, input.table_tolerance}, options.store())};
-    if (chapter.study.skipped > 0) options.say(fmt::format("{}: {} pairs of law and factor were left out: each law takes the factors on its side of 1", names[i], chapter.study.skipped));
+    InvarianceChapter chapter{names[i], input, run_invariance(input, options.threads, options.progress("comparing laws, " + names[i])),
+                              obtain_table({kind, input.table_tolerance}, options.store())};
+    if (chapter.study.skipped > 0)
+      options.say(fmt::format("{}: {} pairs of law and factor were left out: each law takes the factors on its side of 1", names[i],
+                              chapter.study.skipped));
     results.push_back(study_json(chapter.study));
     if (!options.json) {
       fmt::print("{}\n", names[i]);
       for (const LawSummary& summary : chapter.study.summaries) fmt::print("  {}\n", in_words(summary));
     }
     if (options.out.empty()) continue;
-    const std::filesystem::path folder = inputs.size() == 1 ? std::filesystem::path(options.out) : std::filesystem::path(options.out) / names[i];
+    const std::filesystem::path folder =
+        inputs.size() == 1 ? std::filesystem::path(options.out) : std::filesystem::path(options.out) / names[i];
     write_file(folder / "input.toml", input_file_text(input, "invariance"));
     write_file(folder / "result.json", results.back().dump(2) + "\n");
     drawn = write_chapter(chapter, folder, report) && drawn;

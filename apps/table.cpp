@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <scalebreak/contact/damping.hpp>
 #include <scalebreak/output/atomic_file.hpp>
 #include <scalebreak/output/csv.hpp>
 #include <scalebreak/output/plot.hpp>
@@ -53,23 +54,50 @@ json table_json(const StoredTable& stored) {
           {"lookup_ns", measure_lookup(table)}};
 }
 
-/// e and t_c at the restitutions of a reader's interest, for a look at the table.
+/// The rows of nine restitutions put in, as a CSV and as plots of the restitution and the contact time that come out.
 void write_files(const Options& options, const CollisionTable& table) {
   const std::string name = table_file_name(table.key());
+  const std::string csv_name = name + ".csv", kind = to_string(table.key().kind);
   Csv csv({"restitution_given [-]", "speed_reduced [-]", "restitution_normal [-]", "contact_time_reduced [-]", "max_overlap_reduced [-]"});
-  for (int row = 0; row < table.damping_axis().count; row += (table.damping_axis().count - 1) / 8) {
-    for (int column = 0; column < table.speed_axis().count; ++column) {
-      const TableNode& node = table.nodes()[static_cast<std::size_t>(row * table.speed_axis().count + column)];
-      csv.add({static_cast<double>(row), node.speed, node.restitution, node.contact_time, node.max_overlap});
+  Plot restitution{name + "-restitution",
+                   "Restitution in the collision table: " + kind,
+                   "reduced impact speed [-]",
+                   "coefficient of restitution [-]",
+                   true,
+                   false,
+                   {}};
+  Plot time{name + "-contact_time",
+            "Contact time in the collision table: " + kind,
+            "reduced impact speed [-]",
+            "reduced contact time [-]",
+            true,
+            true,
+            {}};
+  const int rows = table.damping_axis().count, columns = table.speed_axis().count;
+  for (int row = 0; row < rows; row += (rows - 1) / 8) {
+    const TableNode* nodes = table.nodes().data() + row * columns;
+    const double given = restitution_of_damping_ratio(nodes->damping_ratio);
+    for (const TableNode* node = nodes; node != nodes + columns; ++node) {
+      csv.add({given, node->speed, node->restitution, node->contact_time, node->max_overlap});
     }
+    const std::string only = fmt::format("abs($1 - {:.17g}) < 1e-12", given), legend = fmt::format("e put in: {:.3g}", given);
+    restitution.curves.push_back({csv_name, "2", "3", legend, false, row * 8 / (rows - 1), only});
+    time.curves.push_back({csv_name, "2", "4", legend, false, row * 8 / (rows - 1), only});
   }
-  write_file(std::filesystem::path(options.out) / (name + ".csv"), csv.text());
+  write_file(std::filesystem::path(options.out) / csv_name, csv.text());
+  if (columns == 1) return;  // no speed to plot over
+  for (const Plot& plot : {restitution, time}) {
+    if (!draw(plot, options.out))
+      options.say(plot.name + " was not drawn: gnuplot is missing or failed; its script is kept in " + options.out);
+  }
 }
 
 void print(const json& j) {
-  fmt::print("{}: {} entries, largest error {:.2e} (asked {:g}), rms {:.2e}, {}, {:.1f} ns a lookup\n", j["kind"].get<std::string>(), j["entries"].get<std::size_t>(), j["error_max"].get<double>(),
-             j["tolerance"].get<double>(), j["error_rms"].get<double>(), j["built"].get<bool>() ? fmt::format("built in {:.2f} s", j["build_seconds"].get<double>()) : std::string("read from the cache"),
-             j["lookup_ns"].get<double>());
+  fmt::print(
+      "{}: {} entries, largest error {:.2e} (asked {:g}), rms {:.2e}, {}, {:.1f} ns a lookup\n", j["kind"].get<std::string>(),
+      j["entries"].get<std::size_t>(), j["error_max"].get<double>(), j["tolerance"].get<double>(), j["error_rms"].get<double>(),
+      j["built"].get<bool>() ? fmt::format("built in {:.2f} s", j["build_seconds"].get<double>()) : std::string("read from the cache"),
+      j["lookup_ns"].get<double>());
 }
 
 }  // namespace

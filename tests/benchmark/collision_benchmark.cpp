@@ -91,14 +91,22 @@ const int registered = [] {
     benchmark::RegisterBenchmark(("exact/1e-10/" + name).c_str(), exact_collision, kind, 1e-10)->Unit(benchmark::kMicrosecond);
     benchmark::RegisterBenchmark(("row_lookup/" + name).c_str(), row_lookup, kind);
     benchmark::RegisterBenchmark(("table_lookup/" + name).c_str(), table_lookup, kind);
-    benchmark::RegisterBenchmark(("table_build/1e-6/" + name).c_str(), table_build, kind)->Unit(benchmark::kMillisecond)->Iterations(1)->UseRealTime();
+    benchmark::RegisterBenchmark(("table_build/1e-6/" + name).c_str(), table_build, kind)
+        ->Unit(benchmark::kMillisecond)
+        ->Iterations(1)
+        ->UseRealTime();
   }
   const ContactKind hertz = canonical({.normal = NormalModel::hertz}), jkr;
   for (const double error : {1e-3, 1e-4, 1e-5, 1e-6}) {
     const std::string suffix = fmt::format("{:.0e}", error);
-    benchmark::RegisterBenchmark(("exact/" + suffix + "/hertz").c_str(), exact_collision, hertz, std::min(error, 1e-6))->Unit(benchmark::kMicrosecond);
-    benchmark::RegisterBenchmark(("naive_verlet/" + suffix + "/hertz").c_str(), [=](benchmark::State& state) { naive_collision(state, hertz, reduced_hertz(beta), error); })->Unit(benchmark::kMicrosecond);
-    benchmark::RegisterBenchmark(("naive_verlet/" + suffix + "/jkr").c_str(), [=](benchmark::State& state) { naive_collision(state, jkr, reduced_jkr<double, DampingOn::contact_radius>(beta, AdhesionRange::full), error); })->Unit(benchmark::kMicrosecond);
+    benchmark::RegisterBenchmark(("exact/" + suffix + "/hertz").c_str(), exact_collision, hertz, std::min(error, 1e-6))
+        ->Unit(benchmark::kMicrosecond);
+    benchmark::RegisterBenchmark(("naive_verlet/" + suffix + "/hertz").c_str(), [=](benchmark::State& state) {
+      naive_collision(state, hertz, reduced_hertz(beta), error);
+    })->Unit(benchmark::kMicrosecond);
+    benchmark::RegisterBenchmark(("naive_verlet/" + suffix + "/jkr").c_str(), [=](benchmark::State& state) {
+      naive_collision(state, jkr, reduced_jkr<double, DampingOn::contact_radius>(beta, AdhesionRange::full), error);
+    })->Unit(benchmark::kMicrosecond);
   }
   return 0;
 }();

@@ -28,7 +28,8 @@ TEST_P(TableOfEveryKind, HoldsItsToleranceAtRandomPoints) {
   std::mt19937_64 random(20);
   int compared = 0;
   for (int i = 0; i < 1500; ++i) {
-    const double beta = damping_ratio(std::uniform_real_distribution(0.0501, 1.0)(random)), speed = kind.adhesive() ? speed_of(random) : 1.0;
+    const double beta = damping_ratio(std::uniform_real_distribution(0.0501, 1.0)(random)),
+                 speed = kind.adhesive() ? speed_of(random) : 1.0;
     const auto found = table.find(beta, speed);
     const TableOutcome exact = exact_table_outcome(kind, beta, speed, 1e-11);
     if (!found) {  // only just above the sticking speed, or beyond the end
@@ -53,7 +54,8 @@ TEST_P(TableOfEveryKind, IsCoarserForACoarserTolerance) {
   EXPECT_LT(coarse.nodes().size(), build_collision_table({GetParam(), 1e-6}).nodes().size());
 }
 
-INSTANTIATE_TEST_SUITE_P(Kinds, TableOfEveryKind, testing::ValuesIn(tests::every_kind()), [](const auto& test) { return tests::kind_name(test.param); });
+INSTANTIATE_TEST_SUITE_P(Kinds, TableOfEveryKind, testing::ValuesIn(tests::every_kind()),
+                         [](const auto& test) { return tests::kind_name(test.param); });
 
 TEST(CollisionTable, HasTheSameBitsForAnyNumberOfThreads) {
   const CollisionTable one = build_collision_table({ContactKind{}, 1e-5}, 1), three = build_collision_table({ContactKind{}, 1e-5}, 3);
@@ -106,7 +108,8 @@ TEST(CollisionTable, OfHertzIsOneCurveForAllSpeeds) {
 }
 
 TEST(CollisionTable, RefusesAToleranceItCannotReach) {
-  for (const double tolerance : {1e-16, 0.1, 0.0, std::nan("")}) EXPECT_THROW((void)build_collision_table({ContactKind{}, tolerance}), WorkError);
+  for (const double tolerance : {1e-16, 0.1, 0.0, std::nan("")})
+    EXPECT_THROW((void)build_collision_table({ContactKind{}, tolerance}), WorkError);
 }
 
 }  // namespace

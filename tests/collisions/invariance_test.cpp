@@ -10,7 +10,8 @@ namespace scalebreak {
 namespace {
 
 const LawSummary& summary(const InvarianceStudy& study, const std::string& law, bool softer) {
-  return *std::find_if(study.summaries.begin(), study.summaries.end(), [&](const LawSummary& s) { return s.law == law && s.softer == softer; });
+  return *std::find_if(study.summaries.begin(), study.summaries.end(),
+                       [&](const LawSummary& s) { return s.law == law && s.softer == softer; });
 }
 
 TEST(Invariance, TellsWhatEachLawKeepsOfAnAdhesivePair) {
@@ -26,7 +27,8 @@ TEST(Invariance, TellsWhatEachLawKeepsOfAnAdhesivePair) {
   EXPECT_NEAR(summary(study, "sup", false).contact_time.exponent, 1, 1e-9);
   EXPECT_TRUE(summary(study, "sakai", false).contact_time.kept);
   // Moved, by the powers of v_stick ∝ (γ⁵R⁴/E²)^{1/6} m^{−1/2}.
-  for (const auto& [law, softer, power] : {std::tuple{"none", true, -1.0 / 3}, {"none", false, -5.0 / 6}, {"bond", false, 5.0 / 6}, {"cohesion", false, 0.5}}) {
+  for (const auto& [law, softer, power] :
+       {std::tuple{"none", true, -1.0 / 3}, {"none", false, -5.0 / 6}, {"bond", false, 5.0 / 6}, {"cohesion", false, 0.5}}) {
     const LawSummary& s = summary(study, law, softer);
     EXPECT_FALSE(s.exact) << law;
     EXPECT_NEAR(s.sticking_speed.exponent, power, 1e-9) << law;
@@ -88,9 +90,12 @@ TEST(InvarianceReport, SaysInWordsWhatALawKeeps) {
   s.sticking_speed = {true, true, 0, 0, 0};
   s.contact_time = {true, false, 39, -0.4, 1e-12};
   s.max_overlap = {true, false, 1, 0.3, 0.2};
-  EXPECT_EQ(in_words(s), "rps keeps the restitution at every speed; it keeps the sticking speed; it moves the contact time as factor^-0.400; it moves the largest overlap by up to 1 times itself, not by one power of the factor.");
+  EXPECT_EQ(in_words(s),
+            "rps keeps the restitution at every speed; it keeps the sticking speed; it moves the contact time as factor^-0.400; it moves "
+            "the largest overlap by up to 1 times itself, not by one power of the factor.");
   LawSummary n{.law = "none", .softer = false, .restitution_change = 0.25, .verdict_changes = 3};
-  EXPECT_EQ(in_words(n), "none (larger) changes the restitution by up to 0.25 (3 of its collisions stick where the original's do not, or the reverse).");
+  EXPECT_EQ(in_words(n),
+            "none (larger) changes the restitution by up to 0.25 (3 of its collisions stick where the original's do not, or the reverse).");
 }
 
 }  // namespace

@@ -45,7 +45,8 @@ TEST_P(EveryKind, ErrorTracksTheTolerance) {
   for (int i = 12; i <= 24; ++i) {
     const double tolerance = std::pow(10.0, -i / 2.0);
     const auto outcome = resolve_normal_collision<double>(kind, beta, speed, {.tolerance = tolerance});
-    const double error = std::max({std::abs(static_cast<double>(outcome.restitution - reference.restitution)), std::abs(static_cast<double>(outcome.contact_time / reference.contact_time - 1))});
+    const double error = std::max({std::abs(static_cast<double>(outcome.restitution - reference.restitution)),
+                                   std::abs(static_cast<double>(outcome.contact_time / reference.contact_time - 1))});
     EXPECT_LT(error, tolerance) << to_string(kind) << " at " << tolerance;
     x.push_back(std::log10(tolerance));
     y.push_back(std::log10(std::max(error, 1e-16)));
@@ -99,13 +100,16 @@ TEST_P(EveryKind, EndsAtTheEndOfItsContact) {
   options.observer = [&](const ContactSample<double>& sample) { last = sample; };
   const double speed = kind.adhesive() ? 5.0 : 1.0;
   const auto outcome = resolve_normal_collision<double>(kind, damping_ratio(0.8), speed, options);
-  const double end = !kind.adhesive() || kind.range == AdhesionRange::touch ? 0.0 : kind.range == AdhesionRange::full ? -std::cbrt(1.0 / 48) : -std::cbrt(1.0 / 432);
+  const double end = !kind.adhesive() || kind.range == AdhesionRange::touch ? 0.0
+                     : kind.range == AdhesionRange::full                    ? -std::cbrt(1.0 / 48)
+                                                                            : -std::cbrt(1.0 / 432);
   EXPECT_NEAR(last.overlap, end, 1e-9);
   EXPECT_NEAR(last.time, outcome.contact_time, 1e-15);
   EXPECT_NEAR(-last.speed / speed, outcome.restitution, 1e-15);
 }
 
-INSTANTIATE_TEST_SUITE_P(Kinds, EveryKind, testing::ValuesIn(tests::every_kind()), [](const auto& test) { return tests::kind_name(test.param); });
+INSTANTIATE_TEST_SUITE_P(Kinds, EveryKind, testing::ValuesIn(tests::every_kind()),
+                         [](const auto& test) { return tests::kind_name(test.param); });
 
 TEST(NormalCollision, OfAnOverdampedContactOnlyCreepsApart) {
   for (const NormalModel model : {NormalModel::linear, NormalModel::hertz}) {
@@ -123,16 +127,20 @@ TEST(NormalCollision, RefusesNumbersThatAreNoCollision) {
 
 TEST(NormalCollision, LargestForceIsThatOfTheWholeContact) {
   // A linear dashpot starts at its force: η v = 2β in reduced units, above k δ_max for strong damping.
-  const auto strong = resolve_normal_collision<double>(canonical({.normal = NormalModel::linear}), 0.9, 1.0, {.tolerance = 1e-10, .find_max_force = true});
+  const auto strong =
+      resolve_normal_collision<double>(canonical({.normal = NormalModel::linear}), 0.9, 1.0, {.tolerance = 1e-10, .find_max_force = true});
   EXPECT_NEAR(strong.max_force, 1.8, 1e-12);
   // Undamped it is k δ_max.
-  const auto elastic = resolve_normal_collision<double>(canonical({.normal = NormalModel::linear}), 0.0, 1.0, {.tolerance = 1e-10, .find_max_force = true});
+  const auto elastic =
+      resolve_normal_collision<double>(canonical({.normal = NormalModel::linear}), 0.0, 1.0, {.tolerance = 1e-10, .find_max_force = true});
   EXPECT_NEAR(elastic.max_force, 1.0, 1e-9);
   // Lightly damped: kx + ηẋ = e^{−βt}(sin form), its largest value by calculus at tan(ωt) = ω(1 − 4β²)/(β(3 − 4β²)).
   const double beta = 0.1, omega = std::sqrt(1 - beta * beta);
   const double t = std::atan2(omega * (1 - 4 * beta * beta), beta * (3 - 4 * beta * beta)) / omega;
-  const double x = std::exp(-beta * t) * std::sin(omega * t) / omega, v = std::exp(-beta * t) * (std::cos(omega * t) - beta * std::sin(omega * t) / omega);
-  const auto light = resolve_normal_collision<double>(canonical({.normal = NormalModel::linear}), beta, 1.0, {.tolerance = 1e-10, .find_max_force = true});
+  const double x = std::exp(-beta * t) * std::sin(omega * t) / omega,
+               v = std::exp(-beta * t) * (std::cos(omega * t) - beta * std::sin(omega * t) / omega);
+  const auto light =
+      resolve_normal_collision<double>(canonical({.normal = NormalModel::linear}), beta, 1.0, {.tolerance = 1e-10, .find_max_force = true});
   EXPECT_NEAR(light.max_force, x + 2 * beta * v, 1e-9);
 }
 

@@ -14,13 +14,15 @@ Input two_bodies() {
 }
 
 Eigen::Vector3d momentum(const Input& input, const std::vector<Eigen::Vector3d>& velocity) {
-  return sphere_mass(input.bodies[0].radius, input.material.density) * velocity[0] + sphere_mass(input.bodies[1].radius, input.material.density) * velocity[1];
+  return sphere_mass(input.bodies[0].radius, input.material.density) * velocity[0] +
+         sphere_mass(input.bodies[1].radius, input.material.density) * velocity[1];
 }
 
 TEST(ResolveCollision, KeepsMomentumAndReturnsTheRestitution) {
   const Input input = two_bodies();
   const CollisionResult r = resolve_collision(input);
-  const Eigen::Vector3d before = momentum(input, {input.bodies[0].velocity, input.bodies[1].velocity}), after = momentum(input, {r.bodies[0].velocity, r.bodies[1].velocity});
+  const Eigen::Vector3d before = momentum(input, {input.bodies[0].velocity, input.bodies[1].velocity}),
+                        after = momentum(input, {r.bodies[0].velocity, r.bodies[1].velocity});
   EXPECT_NEAR((after - before).norm() / before.norm(), 0, 1e-12);
   EXPECT_DOUBLE_EQ(r.speed, 0.15);
   EXPECT_NEAR((r.bodies[1].velocity - r.bodies[0].velocity).x() / 0.15, r.collision.restitution, 1e-13);
@@ -49,7 +51,9 @@ TEST(ResolveCollision, EnlargesBodiesAboutTheirCentreOfMass) {
   EXPECT_NEAR(scaled.collision.restitution, original.collision.restitution, 1e-9);
   EXPECT_NEAR(*scaled.collision.contact_time / *original.collision.contact_time, 4, 1e-8);
   EXPECT_NEAR(scaled.energy_before / original.energy_before, 64, 1e-10);
-  EXPECT_NEAR((scaled.bodies[1].position - scaled.bodies[0].position).norm() / (original.bodies[1].position - original.bodies[0].position).norm(), 4, 1e-8);
+  EXPECT_NEAR(
+      (scaled.bodies[1].position - scaled.bodies[0].position).norm() / (original.bodies[1].position - original.bodies[0].position).norm(),
+      4, 1e-8);
 }
 
 TEST(ResolveCollision, AgainstAWallTurnsTheSphereAround) {
@@ -83,7 +87,8 @@ TEST(Trajectory, RunsFromTouchToSeparationWithTheOutcome) {
   EXPECT_NEAR(path.back().time / *c.contact_time, 1, 1e-8);
   EXPECT_NEAR(-path.back().speed / speed, c.restitution, 1e-8);
   double deepest = 0, strongest = 0;
-  for (const TrajectoryPoint& p : path) deepest = std::max(deepest, p.overlap), strongest = std::max(strongest, p.elastic_force + p.damping_force);
+  for (const TrajectoryPoint& p : path)
+    deepest = std::max(deepest, p.overlap), strongest = std::max(strongest, p.elastic_force + p.damping_force);
   EXPECT_NEAR(deepest / c.max_overlap, 1, 1e-3);
   EXPECT_NEAR(strongest / c.max_force, 1, 1e-3);
 }

@@ -59,11 +59,12 @@ TEST(CheckBodies, NeedPositionAndRadiusOfBoth) {
   EXPECT_EQ(sentence_for("[[body]]\nposition = [0, 0, 1]\n[[body]]\nposition = [0, 0, 0]\nradius = 1e-3\n"), "body.1.radius" + needed);
   EXPECT_EQ(sentence_for("[[body]]\nposition = [0, 0, 1]\nradius = 1e-3\n[[body]]\nradius = 1e-3\n"), "body.2.position" + needed);
   EXPECT_EQ(sentence_for("[[body]]\nposition = [0, 0, 1]\nradius = 1e-3\n"), "body.2.position" + needed);
-  EXPECT_EQ(sentence_for("[[body]]\n[[body]]\nposition = [0, 0, 1]\nradius = 1e-3\n"), "body.1.position" + needed);
 }
 
-TEST(CheckBodies, EmptyTablesAreBodiesWithoutAnything) {
-  EXPECT_EQ(sentence_for("[[body]]\n[[body]]\n"), "body.1.position is missing; two [[body]] tables are needed, each with position and radius");
+TEST(CheckBodies, EmptyTablesAreNotPassedOver) {
+  EXPECT_THAT(sentence_for("[[body]]\n[[body]]\n"), HasSubstr("body.1"));
+  EXPECT_THAT(sentence_for("[[body]]\n[[body]]\nposition = [0, 0, 1]\nradius = 1e-3\n"), HasSubstr("body.1"));
+  EXPECT_THAT(sentence_for(two_bodies("[0, 0, 0.01]", "[0, 0, -1]") + "[[body]]\n"), HasSubstr("body.3"));
 }
 
 TEST(CheckBodies, MayNotOverlapAtTheStart) {

@@ -21,7 +21,7 @@ TEST(Csv, NumbersHaveSeventeenDigitsAndReadBackTheSame) {
   csv.add({0.1});
   csv.add({1.0 / 3});
   csv.add({-6.02214076e-300});
-  EXPECT_EQ(csv.text(), "x [-]\n0.10000000000000001\n0.33333333333333331\n-6.0221407600000003e-300\n");
+  EXPECT_EQ(csv.text(), "x [-]\n0.10000000000000001\n0.33333333333333331\n-6.0221407600000001e-300\n");
   EXPECT_EQ(std::stod("0.33333333333333331"), 1.0 / 3);
 }
 

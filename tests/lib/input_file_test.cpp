@@ -116,8 +116,8 @@ TEST(InputMessage, UnknownKeyWithASuggestion) {
             "material.density, material.restitution, material.sliding_friction, material.surface_energy, material.spring_constant, material.name");
   EXPECT_EQ(sentence_for("", {"pair.radii=[1e-3,1e-3]"}),
             "--set pair.radii=[1e-3,1e-3]: pair.radii: there is no such key (did you mean pair.radius?); allowed: pair.radius, pair.partner");
-  EXPECT_EQ(sentence_for("[[body]]\nradius = 1e-3\nspeed = 3\n[[body]]\nradius = 1e-3\n"),
-            "scene.toml, line 3: body.1.speed: there is no such key (did you mean body.position?); allowed: body.position, body.velocity, body.radius");
+  EXPECT_EQ(sentence_for("[[body]]\nposition = [0, 0, 0]\nradios = 3\n"),
+            "scene.toml, line 3: body.1.radios: there is no such key (did you mean body.radius?); allowed: body.position, body.velocity, body.radius");
 }
 
 TEST(InputMessage, UnknownKeyUnlikeAnyGetsNoSuggestion) {

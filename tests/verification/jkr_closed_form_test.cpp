@@ -28,7 +28,9 @@ class UndampedJkr : public testing::TestWithParam<Case> {};
 double peeling_work(const NormalPair& pair, AdhesionRange range) {
   const double full = 22.5163187 * std::cbrt(std::pow(pair.surface_energy, 5) * std::pow(pair.radius, 4) / (pair.young * pair.young));
   // The share up to the force minimum, in closed form: ∫ from touch, where â³ = 4/9, to pull-off, where â³ = 1/4.
-  const auto share = [](double cube) { return 1.6 * std::pow(cube, 5.0 / 3) - 8.0 / 3 * std::pow(cube, 7.0 / 6) + 2.0 / 3 * std::pow(cube, 2.0 / 3); };
+  const auto share = [](double cube) {
+    return 1.6 * std::pow(cube, 5.0 / 3) - 8.0 / 3 * std::pow(cube, 7.0 / 6) + 2.0 / 3 * std::pow(cube, 2.0 / 3);
+  };
   const double ratio = (share(0.25) - share(4.0 / 9)) / (share(1.0 / 36) - share(4.0 / 9));
   return range == AdhesionRange::full ? full : range == AdhesionRange::pull_off ? ratio * full : 0.0;
 }
@@ -51,7 +53,9 @@ TEST_P(UndampedJkr, LosesThePeelingWorkAtEverySpeed) {
 }
 
 TEST_P(UndampedJkr, PullOffSticksAt7028OfTheFullRange) {
-  const auto stick = [&](AdhesionRange range) { return *ScaledContact({NormalModel::jkr, range, DampingOn::contact_radius}, GetParam().bodies, none(), 1).sticking_speed(1e-10); };
+  const auto stick = [&](AdhesionRange range) {
+    return *ScaledContact({NormalModel::jkr, range, DampingOn::contact_radius}, GetParam().bodies, none(), 1).sticking_speed(1e-10);
+  };
   EXPECT_NEAR(stick(AdhesionRange::pull_off) / stick(AdhesionRange::full), 0.7028, 5e-5);
 }
 
@@ -63,8 +67,10 @@ Wall quartz() {
 }
 
 INSTANTIATE_TEST_SUITE_P(Pairs, UndampedJkr,
-                         testing::Values(Case{"glass_pair", {w_glass, w_glass, {}, {0.5e-3, 0.5e-3}}}, Case{"unequal", {w_glass, w_glass, {}, {0.5e-3, 1e-3}}},
-                                         Case{"soft_pair_of_chen_elliott_case_a", {elastic(1e6, 0.3, 1000, 0.5), elastic(1e6, 0.3, 1000, 0.5), {}, {0.25e-3, 0.5e-3}}},
+                         testing::Values(Case{"glass_pair", {w_glass, w_glass, {}, {0.5e-3, 0.5e-3}}},
+                                         Case{"unequal", {w_glass, w_glass, {}, {0.5e-3, 1e-3}}},
+                                         Case{"soft_pair_of_chen_elliott_case_a",
+                                              {elastic(1e6, 0.3, 1000, 0.5), elastic(1e6, 0.3, 1000, 0.5), {}, {0.25e-3, 0.5e-3}}},
                                          Case{"latex_on_quartz", {elastic(140e6, 0.3, 1050, 0.021), {}, quartz(), {0.635e-6}}}),
                          [](const auto& test) { return test.param.name; });
 

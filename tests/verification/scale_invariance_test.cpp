@@ -1,8 +1,8 @@
 #include <cmath>
 
-#include <boost/numeric/odeint.hpp>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <boost/numeric/odeint.hpp>
 
 #include <scalebreak/collisions/pair_collision.hpp>
 #include <scalebreak/contact/reduced.hpp>
@@ -15,7 +15,9 @@ namespace {
 
 Bodies glass() { return {{}, {}, {}, {0.5e-3, 0.7e-3}}; }
 
-ScaledContact contact(const char* law, double factor, const ContactKind& kind = {}) { return {kind, glass(), *find_scaling_law(law), factor}; }
+ScaledContact contact(const char* law, double factor, const ContactKind& kind = {}) {
+  return {kind, glass(), *find_scaling_law(law), factor};
+}
 
 struct Exact {
   const char* law;
@@ -43,19 +45,23 @@ TEST_P(ExactLaw, KeepsTheCollisionAndScalesLengthAndTime) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Laws, ExactLaw,
-                         testing::Values(Exact{"rps", 1e-2, std::pow(1e-2, -0.4), std::pow(1e-2, -0.4)}, Exact{"rps", 1e-6, std::pow(1e-6, -0.4), std::pow(1e-6, -0.4)}, Exact{"sup", 2, 2, 2}, Exact{"sup", 16, 16, 16},
-                                         Exact{"torque_cubed", 4, 4, 4}, Exact{"sakai", 8, 1, 1}, Exact{"chen_elliott", 2, 1, 1}, Exact{"chen_elliott", 8, 1, 1}, Exact{"thakur", 4, 4, 4}),
+                         testing::Values(Exact{"rps", 1e-2, std::pow(1e-2, -0.4), std::pow(1e-2, -0.4)},
+                                         Exact{"rps", 1e-6, std::pow(1e-6, -0.4), std::pow(1e-6, -0.4)}, Exact{"sup", 2, 2, 2},
+                                         Exact{"sup", 16, 16, 16}, Exact{"torque_cubed", 4, 4, 4}, Exact{"sakai", 8, 1, 1},
+                                         Exact{"chen_elliott", 2, 1, 1}, Exact{"chen_elliott", 8, 1, 1}, Exact{"thakur", 4, 4, 4}),
                          [](const auto& test) { return fmt::format("{}_{}", test.param.law, test.index); });
 
 /// Any law that changes only the material leaves e(v/v_stick) alone, even where it moves v_stick.
 TEST(ParameterLaw, KeepsRestitutionAtEqualSpeedOverStickingSpeed) {
   const ScaledContact original = contact("none", 1);
   const double stick = *original.sticking_speed(1e-12);
-  for (const auto& [law, factor, power] : {std::tuple{"none", 1e-4, -1.0 / 3}, {"none", 8.0, -5.0 / 6}, {"bond", 4.0, 5.0 / 6}, {"cohesion", 4.0, 0.5}}) {
+  for (const auto& [law, factor, power] :
+       {std::tuple{"none", 1e-4, -1.0 / 3}, {"none", 8.0, -5.0 / 6}, {"bond", 4.0, 5.0 / 6}, {"cohesion", 4.0, 0.5}}) {
     const ScaledContact scaled = contact(law, factor);
     const double scaled_stick = *scaled.sticking_speed(1e-12);
     EXPECT_NEAR(scaled_stick / stick / std::pow(factor, power), 1, 1e-9) << law;
-    for (const double ratio : {1.05, 3.0, 100.0}) EXPECT_NEAR(scaled.collide(ratio * scaled_stick, 1e-11).restitution, original.collide(ratio * stick, 1e-11).restitution, 1e-9) << law;
+    for (const double ratio : {1.05, 3.0, 100.0})
+      EXPECT_NEAR(scaled.collide(ratio * scaled_stick, 1e-11).restitution, original.collide(ratio * stick, 1e-11).restitution, 1e-9) << law;
   }
 }
 
@@ -90,7 +96,11 @@ PairCollision by_brute_force(const char* law_name, double l, double q, double p,
 }
 
 TEST(DirectForceLaw, DoesWhatItsEquationOfMotionDoes) {
-  for (const auto& [law, q, p] : {std::tuple{"sup", 1.0, 2.0}, {"overlap_kept", 0.0, 2.0}, {"force_cubed", 1.0, 3.0}, {"sakai", 0.0, 3.0}, {"torque_cubed", 1.0, 2.0}}) {
+  for (const auto& [law, q, p] : {std::tuple{"sup", 1.0, 2.0},
+                                  {"overlap_kept", 0.0, 2.0},
+                                  {"force_cubed", 1.0, 3.0},
+                                  {"sakai", 0.0, 3.0},
+                                  {"torque_cubed", 1.0, 2.0}}) {
     Bodies bodies = glass();
     bodies.first.restitution = bodies.second.restitution = 0.7;
     const ScaledContact contact(canonical({.normal = NormalModel::hertz}), bodies, *find_scaling_law(law), 3);
@@ -110,7 +120,8 @@ TEST(DirectForceLaw, ImpulseIsMassTimesChangeOfSpeed) {
     const auto path = scaled.trajectory(speed, 1e-11, 4000);
     double impulse = 0;
     for (std::size_t i = 1; i < path.size(); ++i) {
-      impulse += (path[i].elastic_force + path[i].damping_force + path[i - 1].elastic_force + path[i - 1].damping_force) / 2 * (path[i].time - path[i - 1].time);
+      impulse += (path[i].elastic_force + path[i].damping_force + path[i - 1].elastic_force + path[i - 1].damping_force) / 2 *
+                 (path[i].time - path[i - 1].time);
     }
     const double mass = scaled_bodies(*find_scaling_law(law), factor, glass()).pair().mass;
     EXPECT_NEAR(impulse / (mass * speed * (1 + scaled.collide(speed, 1e-11).restitution)), 1, 1e-5) << law;

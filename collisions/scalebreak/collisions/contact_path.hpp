@@ -7,11 +7,11 @@
 #include <string>
 #include <utility>
 
+#include <fmt/format.h>
 #include <boost/math/tools/minima.hpp>
 #include <boost/math/tools/roots.hpp>
 #include <boost/numeric/odeint/algebra/array_algebra.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
-#include <fmt/format.h>
 
 #include <scalebreak/base/error.hpp>
 #include <scalebreak/contact/jkr.hpp>
@@ -66,7 +66,12 @@ class Path {
 
   /// `creeps`: overdamped (β ≥ 1), the contact never ends once it has turned.
   Path(Motion motion, const State& start, T tolerance, T max_step, bool creeps)
-      : motion_(std::move(motion)), state_(start), tolerance_(tolerance), max_step_(max_step), creeps_(creeps), next_step_(std::sqrt(std::sqrt(std::sqrt(tolerance)))) {}
+      : motion_(std::move(motion)),
+        state_(start),
+        tolerance_(tolerance),
+        max_step_(max_step),
+        creeps_(creeps),
+        next_step_(std::sqrt(std::sqrt(std::sqrt(tolerance)))) {}
 
   [[nodiscard]] const State& state() const { return state_; }
   [[nodiscard]] const State& deepest() const { return deepest_; }
@@ -125,9 +130,7 @@ class Path {
   }
 
   /// Spring and dashpot together.
-  [[nodiscard]] T total_force(const State& y) const {
-    return motion_.law.force(motion_.coordinate(y)) + motion_.damping(y) * y[1];
-  }
+  [[nodiscard]] T total_force(const State& y) const { return motion_.law.force(motion_.coordinate(y)) + motion_.damping(y) * y[1]; }
 
  private:
   using Stepper = boost::numeric::odeint::runge_kutta_fehlberg78<State, T, State, T, boost::numeric::odeint::array_algebra>;
@@ -186,7 +189,8 @@ class Path {
     std::uintmax_t iterations = 100;
     T found;
     try {
-      found = boost::math::tools::newton_raphson_iterate(value, cubic_crossing(before, k, target, low, high), low, high, digits, iterations);
+      found =
+          boost::math::tools::newton_raphson_iterate(value, cubic_crossing(before, k, target, low, high), low, high, digits, iterations);
     } catch (const boost::math::evaluation_error&) {
       // An overdamped contact that creeps to its equilibrium crosses it by rounding alone: no slope to follow.
       return {high, stepped(before, high)};
@@ -196,9 +200,7 @@ class Path {
     return last;
   }
   /// The overlap is stationary at a turning point: half the digits give all of its depth.
-  Point root_of_speed(const State& before, T low, T high) {
-    return root(before, 1, T(0), low, high, std::numeric_limits<T>::digits / 3);
-  }
+  Point root_of_speed(const State& before, T low, T high) { return root(before, 1, T(0), low, high, std::numeric_limits<T>::digits / 3); }
   Point root_of_coordinate(const State& before, T end, T low, T high) {
     return root(before, 0, end, low, high, std::numeric_limits<T>::digits / 2 - 4);
   }
@@ -225,8 +227,7 @@ class Path {
   /// The largest total force lies in this step if it is higher inside than at both ends.
   void track_max_force(const State& before, T h) {
     const auto minus_force = [&](T s) { return -total_force(stepped(before, s)); };
-    const auto [where, value] =
-        boost::math::tools::brent_find_minima(minus_force, T(0), h, std::numeric_limits<T>::digits / 2);
+    const auto [where, value] = boost::math::tools::brent_find_minima(minus_force, T(0), h, std::numeric_limits<T>::digits / 2);
     (void)where;
     max_force_ = std::max({max_force_, -value, total_force(state_)});
   }
@@ -255,7 +256,7 @@ class Path {
   bool creeps_;
   T next_step_;
   T last_root_ = 1;  ///< eighth root of the last step's error
-  T step_ = 0;  ///< length of the last accepted step
+  T step_ = 0;       ///< length of the last accepted step
   T max_force_ = 0;
   int steps_ = 0;
   int tries_ = 0;

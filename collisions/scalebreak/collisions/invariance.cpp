@@ -53,7 +53,8 @@ double time_scale(const ScaledContact& contact, double speed) { return contact.r
 double change_at_equal_reduced_speed(const ScaledContact& original, const ScaledContact& scaled, double v0, double v1, double tolerance) {
   double largest = 0;
   for (const double ratio : {1.05, 1.5, 3.0, 10.0, 50.0}) {
-    largest = std::max(largest, std::abs(original.collide(ratio * v0, tolerance).restitution - scaled.collide(ratio * v1, tolerance).restitution));
+    largest = std::max(largest,
+                       std::abs(original.collide(ratio * v0, tolerance).restitution - scaled.collide(ratio * v1, tolerance).restitution));
   }
   return largest;
 }
@@ -73,7 +74,8 @@ std::vector<std::string> study_laws(const Input& input) {
   if (!input.study_laws.empty()) return input.study_laws;
   std::vector<std::string> names;
   for (const ScalingLaw& law : scaling_laws()) {
-    const bool suits = std::any_of(input.study_factors.begin(), input.study_factors.end(), [&](double factor) { return !refusal(law, factor, input.contact.normal); });
+    const bool suits = std::any_of(input.study_factors.begin(), input.study_factors.end(),
+                                   [&](double factor) { return !refusal(law, factor, input.contact.normal); });
     if (suits) names.emplace_back(law.name);
   }
   return names;
@@ -116,8 +118,19 @@ InvarianceStudy run_invariance(const Input& input, int threads, const std::funct
     for (std::size_t i = 0; i < study.speeds.size(); ++i) {
       const double speed = study.speeds[i];
       const PairCollision collision = scaled.collide(speed, input.tolerance);
-      InvarianceRecord record{std::string(cells[c].law->name), cells[c].factor, speed, collision.stuck, collision.restitution, reference[i].restitution, stick, {}, {}, {}, {}};
-      if (collision.contact_time && reference[i].contact_time) record.contact_time_ratio = *collision.contact_time / *reference[i].contact_time;
+      InvarianceRecord record{std::string(cells[c].law->name),
+                              cells[c].factor,
+                              speed,
+                              collision.stuck,
+                              collision.restitution,
+                              reference[i].restitution,
+                              stick,
+                              {},
+                              {},
+                              {},
+                              {}};
+      if (collision.contact_time && reference[i].contact_time)
+        record.contact_time_ratio = *collision.contact_time / *reference[i].contact_time;
       record.max_overlap_ratio = collision.max_overlap / reference[i].max_overlap;
       if (stick && *study.sticking_speed > 0) record.sticking_speed_ratio = *stick / *study.sticking_speed;
       if (result.exact) record.contact_time_ratio_predicted = time_scale(scaled, speed) / time_scale(original, speed);

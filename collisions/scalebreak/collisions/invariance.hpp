@@ -25,19 +25,19 @@ struct InvarianceRecord {
 /// How a quantity moves with a law's factor: kept, or as factor^exponent with its standard error over all speeds.
 struct Trend {
   bool exists = false;
-  bool kept = false;     ///< every ratio is 1 within `kept_tolerance`
-  double largest = 0;    ///< largest |ratio − 1|
+  bool kept = false;   ///< every ratio is 1 within `kept_tolerance`
+  double largest = 0;  ///< largest |ratio − 1|
   double exponent = 0, exponent_error = 0;
 };
 
 /// What a law keeps and moves, over all its factors and speeds.
 struct LawSummary {
   std::string law;
-  bool softer = false;  ///< its factors here are below 1; "none" has a summary on either side
-  double restitution_change = 0;  ///< largest |Δe| at equal speed; a pair that sticks has e = 0
-  int verdict_changes = 0;        ///< speeds at which one of the two sticks and the other does not
+  bool softer = false;                    ///< its factors here are below 1; "none" has a summary on either side
+  double restitution_change = 0;          ///< largest |Δe| at equal speed; a pair that sticks has e = 0
+  int verdict_changes = 0;                ///< speeds at which one of the two sticks and the other does not
   double reduced_restitution_change = 0;  ///< largest |Δe| at equal v/v_stick; 0 without adhesion
-  bool exact = false;             ///< the scaled pair has the original's v̂ and β at every speed
+  bool exact = false;                     ///< the scaled pair has the original's v̂ and β at every speed
   Trend sticking_speed, contact_time, max_overlap;
 };
 

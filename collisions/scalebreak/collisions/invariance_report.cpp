@@ -16,11 +16,12 @@ namespace {
 CsvCell cell(const std::optional<double>& value) { return value ? CsvCell(*value) : CsvCell(); }
 
 std::string records_csv(const InvarianceStudy& study) {
-  Csv csv({"law", "factor [-]", "normal_speed [m/s]", "stuck", "restitution_normal [-]", "restitution_original [-]", "sticking_speed [m/s]", "contact_time_ratio [-]",
-           "contact_time_ratio_predicted [-]", "max_overlap_ratio [-]", "sticking_speed_ratio [-]"});
+  Csv csv({"law", "factor [-]", "normal_speed [m/s]", "stuck", "restitution_normal [-]", "restitution_original [-]", "sticking_speed [m/s]",
+           "contact_time_ratio [-]", "contact_time_ratio_predicted [-]", "max_overlap_ratio [-]", "sticking_speed_ratio [-]"});
   for (const InvarianceRecord& r : study.records) {
-    csv.add({r.law, r.factor, r.normal_speed, std::string(r.stuck ? "true" : "false"), r.restitution, r.restitution_original, cell(r.sticking_speed), cell(r.contact_time_ratio),
-             cell(r.contact_time_ratio_predicted), cell(r.max_overlap_ratio), cell(r.sticking_speed_ratio)});
+    csv.add({r.law, r.factor, r.normal_speed, std::string(r.stuck ? "true" : "false"), r.restitution, r.restitution_original,
+             cell(r.sticking_speed), cell(r.contact_time_ratio), cell(r.contact_time_ratio_predicted), cell(r.max_overlap_ratio),
+             cell(r.sticking_speed_ratio)});
   }
   return csv.text();
 }
@@ -29,11 +30,13 @@ CsvCell exponent(const Trend& trend) { return trend.exists ? CsvCell(trend.expon
 CsvCell exponent_error(const Trend& trend) { return trend.exists ? CsvCell(trend.exponent_error) : CsvCell(); }
 
 std::string summary_csv(const InvarianceStudy& study) {
-  Csv csv({"law", "exact", "restitution_change_max [-]", "verdict_changes", "restitution_change_at_equal_v_over_v_stick [-]", "sticking_speed_exponent [-]", "sticking_speed_exponent_error [-]",
-           "contact_time_exponent [-]", "contact_time_exponent_error [-]", "max_overlap_exponent [-]", "max_overlap_exponent_error [-]"});
+  Csv csv({"law", "exact", "restitution_change_max [-]", "verdict_changes", "restitution_change_at_equal_v_over_v_stick [-]",
+           "sticking_speed_exponent [-]", "sticking_speed_exponent_error [-]", "contact_time_exponent [-]",
+           "contact_time_exponent_error [-]", "max_overlap_exponent [-]", "max_overlap_exponent_error [-]"});
   for (const LawSummary& s : study.summaries) {
-    csv.add({s.law, std::string(s.exact ? "true" : "false"), s.restitution_change, static_cast<double>(s.verdict_changes), s.reduced_restitution_change, exponent(s.sticking_speed),
-             exponent_error(s.sticking_speed), exponent(s.contact_time), exponent_error(s.contact_time), exponent(s.max_overlap), exponent_error(s.max_overlap)});
+    csv.add({s.law, std::string(s.exact ? "true" : "false"), s.restitution_change, static_cast<double>(s.verdict_changes),
+             s.reduced_restitution_change, exponent(s.sticking_speed), exponent_error(s.sticking_speed), exponent(s.contact_time),
+             exponent_error(s.contact_time), exponent(s.max_overlap), exponent_error(s.max_overlap)});
   }
   return csv.text();
 }
@@ -58,7 +61,8 @@ TableCheck check_table(const InvarianceChapter& chapter) {
     const TableOutcome outcome = source.collide(problem.speed);
     const PairCollision exact = original.collide(speed, 1e-10);
     check.largest = std::max(check.largest, std::abs(outcome.restitution * outcome.restitution - exact.restitution * exact.restitution));
-    csv.add({speed, outcome.restitution, exact.restitution, cell(outcome.stuck ? std::optional<double>() : outcome.contact_time * problem.scales.time)});
+    csv.add({speed, outcome.restitution, exact.restitution,
+             cell(outcome.stuck ? std::optional<double>() : outcome.contact_time * problem.scales.time)});
   }
   check.csv = csv.text(), check.looked_up = source.looked_up(), check.exact = source.resolved_exactly();
   return check;
@@ -76,7 +80,8 @@ std::vector<Example> examples(const InvarianceStudy& study, bool farthest) {
   std::vector<Example> list;
   for (const InvarianceRecord& r : study.records) {
     const ScalingLaw* law = find_scaling_law(r.law);
-    const auto at = std::find_if(list.begin(), list.end(), [&](const Example& e) { return e.law == law && (e.factor < 1) == (r.factor < 1); });
+    const auto at =
+        std::find_if(list.begin(), list.end(), [&](const Example& e) { return e.law == law && (e.factor < 1) == (r.factor < 1); });
     const auto distance = [](double factor) { return std::abs(std::log(factor)); };
     if (at == list.end()) {
       list.push_back({law, r.factor, 1 + static_cast<int>(list.size())});
@@ -101,10 +106,12 @@ std::string loops_csv(const InvarianceChapter& chapter, double speed) {
     const ScaledContact contact(chapter.input.contact, chapter.input.colliding(), law, factor);
     const NormalPair& pair = contact.scaled().pair;
     const bool linear = contact.kind().normal == NormalModel::linear;
-    const auto scales = linear ? linear_scales(pair.spring_constant, pair.mass, speed) : hertz_scales(pair.radius, pair.young, pair.mass, speed);
+    const auto scales =
+        linear ? linear_scales(pair.spring_constant, pair.mass, speed) : hertz_scales(pair.radius, pair.young, pair.mass, speed);
     const double length = scales.overlap * contact.scaled().overlap;
     const double force = scaled_system.pair().mass * speed * speed / length;
-    for (const TrajectoryPoint& p : contact.trajectory(speed, 1e-8, 150)) csv.add({name, factor, p.overlap / length, (p.elastic_force + p.damping_force) / force});
+    for (const TrajectoryPoint& p : contact.trajectory(speed, 1e-8, 150))
+      csv.add({name, factor, p.overlap / length, (p.elastic_force + p.damping_force) / force});
   };
   add("original", *find_scaling_law("none"), 1);
   for (const Example& e : examples(chapter.study, false)) add(std::string(e.law->name), *e.law, e.factor);
@@ -115,28 +122,48 @@ std::string legend(const Example& e) { return fmt::format("{}, {:g}", e.law->nam
 std::string only(const Example& e) { return fmt::format("strcol(1) eq '{}' && $2 == {}", e.law->name, e.factor); }
 
 bool exact(const InvarianceStudy& study, const Example& e) {
-  return std::any_of(study.summaries.begin(), study.summaries.end(), [&](const LawSummary& s) { return s.law == e.law->name && s.softer == (e.factor < 1) && s.exact; });
+  return std::any_of(study.summaries.begin(), study.summaries.end(),
+                     [&](const LawSummary& s) { return s.law == e.law->name && s.softer == (e.factor < 1) && s.exact; });
 }
 
 std::vector<Plot> plots(const InvarianceChapter& chapter, double loop_speed) {
   const InvarianceStudy& study = chapter.study;
   const std::string title = readable(chapter.title);
-  Plot e{"restitution", "Restitution of original and scaled pairs: " + title, "impact speed [m/s]", "coefficient of restitution [-]", true, false, {}};
+  Plot e{"restitution",
+         "Restitution of original and scaled pairs: " + title,
+         "impact speed [m/s]",
+         "coefficient of restitution [-]",
+         true,
+         false,
+         {}};
   e.curves.push_back({"restitution.csv", "1", "2", "original (table)"});
   Plot time{"contact_time", "Contact time, scaled over original: " + title, "impact speed [m/s]", "contact time ratio [-]", true, true, {}};
   for (const Example& x : examples(study, true)) {
     e.curves.push_back({"invariance.csv", "3", "5", legend(x), true, x.style, only(x)});
     time.curves.push_back({"invariance.csv", "3", "8", legend(x), true, x.style, only(x)});
   }
-  Plot loops{"force_overlap", fmt::format("Force and overlap at {:.3g} m/s: {}", loop_speed, title), "overlap over (m*v^2/(E*R*^{{1/2}}))^{{2/5}} [-]", "force over m*v^2 by that length [-]", false, false, {}};
+  Plot loops{"force_overlap",
+             fmt::format("Force and overlap at {:.3g} m/s: {}", loop_speed, title),
+             "overlap over (m*v^2/(E*R*^{{1/2}}))^{{2/5}} [-]",
+             "force over m*v^2 by that length [-]",
+             false,
+             false,
+             {}};
   loops.curves.push_back({"loops.csv", "3", "4", "original", false, 0, "strcol(1) eq 'original'"});
-  for (const Example& x : examples(study, false)) loops.curves.push_back({"loops.csv", "3", "4", legend(x), exact(study, x), x.style, only(x)});
+  for (const Example& x : examples(study, false))
+    loops.curves.push_back({"loops.csv", "3", "4", legend(x), exact(study, x), x.style, only(x)});
   std::vector<Plot> all{e, time, loops};
   if (study.sticking_speed && *study.sticking_speed > 0) {
-    Plot stick{"sticking_speed", "Sticking speed, scaled over original: " + title, "factor: stiffness ratio below 1, size ratio above [-]", "sticking speed ratio [-]", true, true, {}};
+    Plot stick{"sticking_speed",
+               "Sticking speed, scaled over original: " + title,
+               "factor: stiffness ratio below 1, size ratio above [-]",
+               "sticking speed ratio [-]",
+               true,
+               true,
+               {}};
     for (const Example& x : examples(study, true)) {
-      stick.curves.push_back({"invariance.csv", "2", "11", std::string(x.law->name) + (x.factor < 1 ? ", softer" : ", larger"), true, x.style,
-                              fmt::format("strcol(1) eq '{}' && ($2 < 1) == {:d}", x.law->name, x.factor < 1)});
+      stick.curves.push_back({"invariance.csv", "2", "11", std::string(x.law->name) + (x.factor < 1 ? ", softer" : ", larger"), true,
+                              x.style, fmt::format("strcol(1) eq '{}' && ($2 < 1) == {:d}", x.law->name, x.factor < 1)});
     }
     all.push_back(stick);
   }
@@ -150,7 +177,8 @@ std::string moved(const std::string& what, const Trend& trend) {
   if (!trend.exists) return "";
   if (trend.kept) return fmt::format("keeps the {}", what);
   if (trend.exponent_error < power_law_error) return fmt::format("moves the {} as factor^{:.3f}", what, trend.exponent);
-  if (trend.exponent_error < no_power_error) return fmt::format("moves the {} about as factor^({:.3f} ± {:.1g})", what, trend.exponent, trend.exponent_error);
+  if (trend.exponent_error < no_power_error)
+    return fmt::format("moves the {} about as factor^({:.3f} ± {:.1g})", what, trend.exponent, trend.exponent_error);
   return fmt::format("moves the {} by up to {:.3g} times itself, not by one power of the factor", what, trend.largest);
 }
 
@@ -169,9 +197,13 @@ std::string full_name(const LawSummary& s) {
 }  // namespace
 
 std::string in_words(const LawSummary& s) {
-  std::string text = full_name(s) + (s.restitution_change < kept_tolerance ? std::string(" keeps the restitution at every speed") : fmt::format(" changes the restitution by up to {:.3g}", s.restitution_change));
-  if (s.verdict_changes > 0) text += fmt::format(" ({} of its collisions stick where the original's do not, or the reverse)", s.verdict_changes);
-  for (const auto& [what, trend] : {std::pair{"sticking speed", &s.sticking_speed}, {"contact time", &s.contact_time}, {"largest overlap", &s.max_overlap}}) {
+  std::string text = full_name(s) + (s.restitution_change < kept_tolerance
+                                         ? std::string(" keeps the restitution at every speed")
+                                         : fmt::format(" changes the restitution by up to {:.3g}", s.restitution_change));
+  if (s.verdict_changes > 0)
+    text += fmt::format(" ({} of its collisions stick where the original's do not, or the reverse)", s.verdict_changes);
+  for (const auto& [what, trend] :
+       {std::pair{"sticking speed", &s.sticking_speed}, {"contact time", &s.contact_time}, {"largest overlap", &s.max_overlap}}) {
     if (const std::string part = moved(what, *trend); !part.empty()) text += "; it " + part;
   }
   return text + ".";
@@ -180,7 +212,8 @@ std::string in_words(const LawSummary& s) {
 bool write_chapter(const InvarianceChapter& chapter, const std::filesystem::path& folder, HtmlReport& report) {
   const InvarianceStudy& study = chapter.study;
   const TableCheck check = check_table(chapter);
-  const double loop_speed = study.sticking_speed && *study.sticking_speed > 0 ? 2 * *study.sticking_speed : study.speeds[study.speeds.size() / 2];
+  const double loop_speed =
+      study.sticking_speed && *study.sticking_speed > 0 ? 2 * *study.sticking_speed : study.speeds[study.speeds.size() / 2];
   write_file(folder / "invariance.csv", records_csv(study));
   write_file(folder / "summary.csv", summary_csv(study));
   write_file(folder / "restitution.csv", check.csv);
@@ -190,24 +223,40 @@ bool write_chapter(const InvarianceChapter& chapter, const std::filesystem::path
 
   report.heading(readable(chapter.title));
   const NormalPair pair = chapter.input.colliding().pair();
-  report.paragraph(fmt::format("{}: R* = {:.4g} m, m* = {:.4g} kg, E* = {:.4g} Pa, surface energy (of one surface) {:.4g} J/m². Modelled: contact law {}.{}",
-                               chapter.input.against_wall ? "A sphere and a flat wall" : "Two spheres", pair.radius, pair.mass, pair.young, pair.surface_energy,
-                               to_string(effective_kind(chapter.input.contact, pair.surface_energy)),
-                               study.sticking_speed ? fmt::format(" Sticking speed of the original: {:.5g} m/s.", *study.sticking_speed) : " Nothing adheres."));
+  report.paragraph(fmt::format(
+      "{}: R* = {:.4g} m, m* = {:.4g} kg, E* = {:.4g} Pa, surface energy (of one surface) {:.4g} J/m². Modelled: contact law {}.{}",
+      chapter.input.against_wall ? "A sphere and a flat wall" : "Two spheres", pair.radius, pair.mass, pair.young, pair.surface_energy,
+      to_string(effective_kind(chapter.input.contact, pair.surface_energy)),
+      study.sticking_speed ? fmt::format(" Sticking speed of the original: {:.5g} m/s.", *study.sticking_speed) : " Nothing adheres."));
   const TableQuality& quality = chapter.table.table.quality();
-  report.paragraph(fmt::format("Collision table: {} × {} nodes, measured error {:.1e} (largest, in e² and relative contact time, {} fresh collisions), {}. Along the curve below it differs from the exact engine by at most {:.1e} in e²; {} of {} points were looked up, {} resolved exactly.",
-                               chapter.table.table.damping_axis().count, chapter.table.table.speed_axis().count, quality.error_max, quality.samples,
-                               chapter.table.built ? fmt::format("built in {:.2f} s", chapter.table.build_seconds) : std::string("read from the cache"), check.largest, check.looked_up, check.looked_up + check.exact, check.exact));
+  report.paragraph(
+      fmt::format("Collision table: {} × {} nodes, measured error {:.1e} (largest, in e² and relative contact time, {} fresh collisions), "
+                  "{}. Along the curve below it differs from the exact engine by at most {:.1e} in e²; {} of {} points were looked up, {} "
+                  "resolved exactly.",
+                  chapter.table.table.damping_axis().count, chapter.table.table.speed_axis().count, quality.error_max, quality.samples,
+                  chapter.table.built ? fmt::format("built in {:.2f} s", chapter.table.build_seconds) : std::string("read from the cache"),
+                  check.largest, check.looked_up, check.looked_up + check.exact, check.exact));
   std::vector<std::vector<std::string>> rows;
   for (const LawSummary& s : study.summaries) {
-    rows.push_back({full_name(s), s.exact ? "yes" : "no", s.restitution_change < kept_tolerance ? "kept" : fmt::format("up to {:.3g}", s.restitution_change), verdict(s.sticking_speed), verdict(s.contact_time), verdict(s.max_overlap)});
+    rows.push_back({full_name(s), s.exact ? "yes" : "no",
+                    s.restitution_change < kept_tolerance ? "kept" : fmt::format("up to {:.3g}", s.restitution_change),
+                    verdict(s.sticking_speed), verdict(s.contact_time), verdict(s.max_overlap)});
   }
   report.table({"law", "exact for the pair", "restitution change", "sticking speed", "contact time", "largest overlap"}, rows);
   for (const LawSummary& s : study.summaries) report.paragraph(in_words(s));
-  report.figure(folder / "restitution.svg", "Restitution over impact speed: the original (line) and every law at its factor farthest from 1 (marks). A law whose marks lie on the line keeps the collision; 0 means that the pair sticks.");
-  report.figure(folder / "contact_time.svg", "Contact time of the scaled pair over the original's: a horizontal row of marks is one power of the factor. Long contacts are where scaled flows break first when they are crowded.");
-  if (study.sticking_speed && *study.sticking_speed > 0) report.figure(folder / "sticking_speed.svg", "Sticking speed over the original's, against the factor: 1 is kept. Above 1 the scaled particles are stickier than the real ones.");
-  report.figure(folder / "force_overlap.svg", "Force against overlap in the variables of the impact (Washino et al. 2024, eqs 79–83): laws that are exact for the pair (marks) fall on the original, the others (lines) do not. Every law at its factor nearest to 1.");
+  report.figure(folder / "restitution.svg",
+                "Restitution over impact speed: the original (line) and every law at its factor farthest from 1 (marks). A law whose marks "
+                "lie on the line keeps the collision; 0 means that the pair sticks.");
+  report.figure(folder / "contact_time.svg",
+                "Contact time of the scaled pair over the original's: a horizontal row of marks is one power of the factor. Long contacts "
+                "are where scaled flows break first when they are crowded.");
+  if (study.sticking_speed && *study.sticking_speed > 0)
+    report.figure(folder / "sticking_speed.svg",
+                  "Sticking speed over the original's, against the factor: 1 is kept. Above 1 the scaled particles are stickier than the "
+                  "real ones.");
+  report.figure(folder / "force_overlap.svg",
+                "Force against overlap in the variables of the impact (Washino et al. 2024, eqs 79–83): laws that are exact for the pair "
+                "(marks) fall on the original, the others (lines) do not. Every law at its factor nearest to 1.");
   return drawn;
 }
 

@@ -37,7 +37,6 @@ struct Resolver {
   /// Follows one stretch of the contact; returns how it ended and its last state.
   template <class Motion>
   std::pair<End, typename Motion::State> follow(const Motion& motion, const typename Motion::State& start, T end, T barrier) {
-
     // The error of a step is held to half the tolerance: room for the sum over the steps.
     contact_path::Path<T, Motion> path(motion, start, options.tolerance / 2, options.max_step, creeps);
     const auto ended = path.follow(end, barrier, options.find_max_force, observer(path, motion));
@@ -104,8 +103,7 @@ struct Resolver {
 }  // namespace
 
 template <class T>
-NormalOutcome<T> resolve_normal_collision(const ContactKind& kind, T damping_ratio, T reduced_speed,
-                                          const CollisionOptions<T>& options) {
+NormalOutcome<T> resolve_normal_collision(const ContactKind& kind, T damping_ratio, T reduced_speed, const CollisionOptions<T>& options) {
   if (!(reduced_speed > 0) || !std::isfinite(reduced_speed) || !(damping_ratio >= 0) || !std::isfinite(damping_ratio)) {
     throw WorkError(fmt::format("a collision needs a positive speed and a damping ratio of at least 0, found {} and {}",
                                 static_cast<double>(reduced_speed), static_cast<double>(damping_ratio)));

@@ -20,22 +20,22 @@ struct ContactSample {
 /// How a collision is resolved.
 template <class T>
 struct CollisionOptions {
-  T tolerance = T(1e-8);         ///< of the restitution and the relative contact time, 1e-13 to 1e-6
-  bool find_max_force = false;   ///< costs a search along the path
-  T max_step = 0;                ///< bound on a step, as a fraction of about one contact; 0: none
+  T tolerance = T(1e-8);                                       ///< of the restitution and the relative contact time, 1e-13 to 1e-6
+  bool find_max_force = false;                                 ///< costs a search along the path
+  T max_step = 0;                                              ///< bound on a step, as a fraction of about one contact; 0: none
   std::function<void(const ContactSample<T>&)> observer = {};  ///< called at first touch, every step and the end
 };
 
 /// The outcome of a normal collision, in reduced variables (see contact/reduced.hpp).
 template <class T>
 struct NormalOutcome {
-  bool stuck = false;      ///< the pair turned back before the contact's end, or only creeps apart
-  T restitution = 0;       ///< outgoing over incoming speed, 0 if stuck
-  T contact_time = 0;      ///< 0 if stuck
+  bool stuck = false;  ///< the pair turned back before the contact's end, or only creeps apart
+  T restitution = 0;   ///< outgoing over incoming speed, 0 if stuck
+  T contact_time = 0;  ///< 0 if stuck
   T max_overlap = 0;
-  T max_coordinate = 0;    ///< √a at the maximum overlap, or that overlap itself of a linear contact
-  T max_force = 0;         ///< of spring and dashpot together; only if asked for
-  T energy_residue = 0;    ///< energy left at separation, or missing there (negative), over m*·(speed unit)²; for β < 1
+  T max_coordinate = 0;  ///< √a at the maximum overlap, or that overlap itself of a linear contact
+  T max_force = 0;       ///< of spring and dashpot together; only if asked for
+  T energy_residue = 0;  ///< energy left at separation, or missing there (negative), over m*·(speed unit)²; for β < 1
   int steps = 0;
 };
 

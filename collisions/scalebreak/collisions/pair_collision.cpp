@@ -32,7 +32,8 @@ Start start_of(const Input& input, const ScalingLaw& law) {
     start.bodies = {{{0, 0, distance}, {0, 0, -start.speed}}, {{0, 0, 0}, {0, 0, 0}}};
     return start;
   }
-  Eigen::Vector3d centre = (start.mass[0] * input.bodies[0].position + start.mass[1] * input.bodies[1].position) / (start.mass[0] + start.mass[1]);
+  Eigen::Vector3d centre =
+      (start.mass[0] * input.bodies[0].position + start.mass[1] * input.bodies[1].position) / (start.mass[0] + start.mass[1]);
   for (const Body& body : input.bodies) start.bodies.push_back({centre + size * (body.position - centre), body.velocity});
   const Eigen::Vector3d between = start.bodies[1].position - start.bodies[0].position;
   start.speed = (start.bodies[0].velocity - start.bodies[1].velocity).dot(between.normalized());
@@ -88,7 +89,8 @@ std::optional<double> ScaledContact::sticking_speed(double tolerance) const {
 
 PairCollision ScaledContact::collide(double speed, double tolerance) const {
   const ReducedCollision problem = reduced(speed);
-  const auto outcome = resolve_normal_collision<double>(kind_, problem.damping_ratio, problem.speed, {.tolerance = tolerance, .find_max_force = true});
+  const auto outcome =
+      resolve_normal_collision<double>(kind_, problem.damping_ratio, problem.speed, {.tolerance = tolerance, .find_max_force = true});
   PairCollision collision{.kind = kind_, .stuck = outcome.stuck, .restitution = outcome.restitution};
   if (!outcome.stuck) collision.contact_time = outcome.contact_time * problem.scales.time * scaled_.time;
   collision.max_overlap = outcome.max_overlap * problem.scales.overlap * scaled_.overlap;
@@ -127,7 +129,8 @@ CollisionResult resolve_collision(const Input& input) {
   result.collision.sticking_speed = contact.sticking_speed(input.tolerance);
   const Bodies scaled = scaled_bodies(law, input.scaling_factor, start.original);
   double distance = scaled.radius[0] + (scaled.against_wall() ? 0.0 : scaled.radius[1]);
-  if (!result.collision.stuck) distance -= end_overlap(contact.kind()) * contact.reduced(start.speed).scales.overlap * contact.scaled().overlap;
+  if (!result.collision.stuck)
+    distance -= end_overlap(contact.kind()) * contact.reduced(start.speed).scales.overlap * contact.scaled().overlap;
   result.bodies = after(start, result.collision, distance);
   result.energy_before = kinetic_energy(start, start.bodies);
   result.energy_after = kinetic_energy(start, result.bodies);

@@ -17,11 +17,11 @@ namespace scalebreak {
 struct PairCollision {
   ContactKind kind;  ///< as it was modelled
   bool stuck = false;
-  double restitution = 0;               ///< 0 if stuck
-  std::optional<double> contact_time;   ///< [s]; none if stuck
-  double max_overlap = 0;               ///< [m]
-  double max_force = 0;                 ///< spring and dashpot [N]; only if asked for
-  std::optional<double> sticking_speed; ///< [m/s]; none without adhesion and where every collision sticks, 0 where nothing can
+  double restitution = 0;                ///< 0 if stuck
+  std::optional<double> contact_time;    ///< [s]; none if stuck
+  double max_overlap = 0;                ///< [m]
+  double max_force = 0;                  ///< spring and dashpot [N]; only if asked for
+  std::optional<double> sticking_speed;  ///< [m/s]; none without adhesion and where every collision sticks, 0 where nothing can
   int steps = 0;
 };
 
@@ -62,8 +62,8 @@ struct BodyState {
 /// The collision of an input, of its scaled system, with what becomes of the bodies.
 struct CollisionResult {
   PairCollision collision;
-  double speed = 0;  ///< of impact [m/s]
-  std::vector<BodyState> bodies;  ///< at separation; two, or the sphere and the wall
+  double speed = 0;                            ///< of impact [m/s]
+  std::vector<BodyState> bodies;               ///< at separation; two, or the sphere and the wall
   double energy_before = 0, energy_after = 0;  ///< kinetic [J]
 };
 

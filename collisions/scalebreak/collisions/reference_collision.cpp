@@ -26,7 +26,8 @@ void check(int status, const char* what) {
 }
 
 double root(Function f, double low, double high) {
-  std::unique_ptr<gsl_root_fsolver, void (*)(gsl_root_fsolver*)> solver(gsl_root_fsolver_alloc(gsl_root_fsolver_brent), gsl_root_fsolver_free);
+  std::unique_ptr<gsl_root_fsolver, void (*)(gsl_root_fsolver*)> solver(gsl_root_fsolver_alloc(gsl_root_fsolver_brent),
+                                                                        gsl_root_fsolver_free);
   gsl_function g{call, &f};
   check(gsl_root_fsolver_set(solver.get(), &g, low, high), "bracket");
   for (int i = 0; i < 200; ++i) {
@@ -39,7 +40,8 @@ double root(Function f, double low, double high) {
 
 double integral(Function f, double low, double high) {
   if (high <= low) return 0;
-  std::unique_ptr<gsl_integration_workspace, void (*)(gsl_integration_workspace*)> space(gsl_integration_workspace_alloc(2000), gsl_integration_workspace_free);
+  std::unique_ptr<gsl_integration_workspace, void (*)(gsl_integration_workspace*)> space(gsl_integration_workspace_alloc(2000),
+                                                                                         gsl_integration_workspace_free);
   gsl_function g{call, &f};
   double value = 0, error = 0;
   check(gsl_integration_qag(&g, low, high, 0, 1e-13, 2000, GSL_INTEG_GAUSS61, space.get(), &value, &error), "quadrature");
@@ -67,7 +69,8 @@ NormalOutcome<double> undamped(const Law& law, double speed) {
         [&](double u) {
           const double x = turn - u * u;
           // U(turn) − U(x) over u², so that no digits cancel near the turn.
-          const double fall = u < 1e-4 ? law.force(turn - u * u / 2) * law.overlap_slope(turn - u * u / 2) : (kinetic - law.energy(x)) / (u * u);
+          const double fall =
+              u < 1e-4 ? law.force(turn - u * u / 2) * law.overlap_slope(turn - u * u / 2) : (kinetic - law.energy(x)) / (u * u);
           return 2 * law.overlap_slope(x) / std::sqrt(2 * fall);
         },
         0, std::sqrt(turn - start));
@@ -91,7 +94,8 @@ struct Motion {
 };
 
 /// Follows y until `event(y)` falls through zero on the way out, or v turns back before; true if the event came.
-bool follow(gsl_odeiv2_system system, std::vector<double>& y, const std::function<double(const std::vector<double>&)>& event, std::vector<double>& deepest) {
+bool follow(gsl_odeiv2_system system, std::vector<double>& y, const std::function<double(const std::vector<double>&)>& event,
+            std::vector<double>& deepest) {
   const gsl_odeiv2_step_type* type = gsl_odeiv2_step_rk8pd;
   std::unique_ptr<gsl_odeiv2_step, void (*)(gsl_odeiv2_step*)> step(gsl_odeiv2_step_alloc(type, y.size()), gsl_odeiv2_step_free);
   std::vector<double> error(y.size());
@@ -138,7 +142,8 @@ NormalOutcome<double> damped(const Law& law, double speed) {
   Motion<Law> motion{law};
   std::vector<double> y{law.touch(), speed, 0}, deepest;
   const double end = law.separation();
-  const bool separated = follow({Motion<Law>::rate, nullptr, 3, &motion}, y, [&](const auto& at) { return at[0] - end; }, deepest);
+  const bool separated = follow(
+      {Motion<Law>::rate, nullptr, 3, &motion}, y, [&](const auto& at) { return at[0] - end; }, deepest);
   NormalOutcome<double> outcome;
   outcome.max_coordinate = deepest[0];
   outcome.max_overlap = law.overlap(deepest[0]);
@@ -165,7 +170,8 @@ struct RootMotion {
 NormalOutcome<double> damped_on_overlap(const Jkr<double, DampingOn::overlap>& law, double speed) {
   RootMotion motion{law};
   std::vector<double> y{0, speed, 0}, deepest;
-  const bool touched = follow({RootMotion::rate, nullptr, 3, &motion}, y, [](const auto& at) { return at[0]; }, deepest);
+  const bool touched = follow(
+      {RootMotion::rate, nullptr, 3, &motion}, y, [](const auto& at) { return at[0]; }, deepest);
   const double depth = std::pow(deepest[0], 4), barrier = law.energy(law.separation());
   NormalOutcome<double> outcome{.max_overlap = depth, .max_coordinate = law.coordinate(depth)};
   outcome.energy_residue = y[1] * y[1] / 2 - barrier + (touched ? 0.0 : law.energy(law.coordinate(std::pow(y[0], 4))));
@@ -173,7 +179,8 @@ NormalOutcome<double> damped_on_overlap(const Jkr<double, DampingOn::overlap>& l
   if (outcome.stuck) return outcome;
   outcome.restitution = std::sqrt(2 * outcome.energy_residue) / speed;
   const double start = law.touch(), end = law.separation();
-  outcome.contact_time = y[2] + integral([&](double x) { return law.overlap_slope(x) / std::sqrt(y[1] * y[1] - 2 * law.energy(x)); }, end, start);
+  outcome.contact_time =
+      y[2] + integral([&](double x) { return law.overlap_slope(x) / std::sqrt(y[1] * y[1] - 2 * law.energy(x)); }, end, start);
   return outcome;
 }
 
@@ -182,14 +189,13 @@ NormalOutcome<double> damped_on_overlap(const Jkr<double, DampingOn::overlap>& l
 NormalOutcome<double> resolve_by_second_method(const ContactKind& kind, double beta, double reduced_speed) {
   gsl_set_error_handler_off();
   switch (kind.normal) {
-    case NormalModel::linear:
-      return beta == 0 ? undamped(reduced_linear(beta), 1.0) : damped(reduced_linear(beta), 1.0);
-    case NormalModel::hertz:
-      return beta == 0 ? undamped(reduced_hertz(beta), 1.0) : damped(reduced_hertz(beta), 1.0);
+    case NormalModel::linear: return beta == 0 ? undamped(reduced_linear(beta), 1.0) : damped(reduced_linear(beta), 1.0);
+    case NormalModel::hertz: return beta == 0 ? undamped(reduced_hertz(beta), 1.0) : damped(reduced_hertz(beta), 1.0);
     case NormalModel::jkr: break;
   }
   if (beta == 0) return undamped(reduced_jkr<double, DampingOn::contact_radius>(beta, kind.range), reduced_speed);
-  if (kind.damping_on == DampingOn::overlap) return damped_on_overlap(reduced_jkr<double, DampingOn::overlap>(beta, kind.range), reduced_speed);
+  if (kind.damping_on == DampingOn::overlap)
+    return damped_on_overlap(reduced_jkr<double, DampingOn::overlap>(beta, kind.range), reduced_speed);
   return damped(reduced_jkr<double, DampingOn::contact_radius>(beta, kind.range), reduced_speed);
 }
 

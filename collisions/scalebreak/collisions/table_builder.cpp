@@ -18,8 +18,7 @@ constexpr int largest_axis = 1025;
 /// Everything a build knows.
 class Builder {
  public:
-  Builder(const TableKey& key, int threads)
-      : key_(key), threads_(threads), exact_tolerance_(std::min(1e-10, 1e-3 * key.tolerance)) {}
+  Builder(const TableKey& key, int threads) : key_(key), threads_(threads), exact_tolerance_(std::min(1e-10, 1e-3 * key.tolerance)) {}
 
   /// Relative error of the curve's last grid, where a speed below the table's first counts as that speed; the
   /// curve is refined until it is far below the table's.
@@ -41,13 +40,16 @@ class Builder {
       });
       const double error = *std::max_element(errors.begin(), errors.end());
       if (error < 1e-2 * key_.tolerance) return error;
-      if (count >= 8 * largest_axis) throw WorkError(fmt::format("the sticking speed of {} is not smooth enough for a tolerance of {:g}: error {:.2g} with {} nodes", to_string(key_.kind), key_.tolerance, error, count));
+      if (count >= 8 * largest_axis)
+        throw WorkError(fmt::format("the sticking speed of {} is not smooth enough for a tolerance of {:g}: error {:.2g} with {} nodes",
+                                    to_string(key_.kind), key_.tolerance, error, count));
     }
   }
 
   CollisionTable build_nodes(int damping_count, int speed_count) const {
     const Axis damping = Axis::span(0, damping_last(), damping_count);
-    const Axis speed = key_.kind.adhesive() ? Axis::span(CollisionTable::speed_coordinate(TableBounds::excess_min), CollisionTable::speed_coordinate(TableBounds::excess_max), speed_count)
+    const Axis speed = key_.kind.adhesive() ? Axis::span(CollisionTable::speed_coordinate(TableBounds::excess_min),
+                                                         CollisionTable::speed_coordinate(TableBounds::excess_max), speed_count)
                                             : Axis::span(0, 0, 1);
     std::vector<TableNode> nodes(static_cast<std::size_t>(damping.count) * static_cast<std::size_t>(speed.count));
     parallel_for(static_cast<int>(nodes.size()), threads_, [&](int i) {
@@ -75,7 +77,9 @@ class Builder {
       const auto found = table.find(beta, v);
       const TableOutcome exact = exact_table_outcome(key_.kind, beta, v, exact_tolerance_);
       if (!found) return;  // a point on the very edge, rounded out of it
-      if (found->stuck || exact.stuck) throw WorkError(fmt::format("a table point of {} sticks at β {:g}, v̂ {:g}, above its sticking speed", to_string(key_.kind), beta, v));
+      if (found->stuck || exact.stuck)
+        throw WorkError(
+            fmt::format("a table point of {} sticks at β {:g}, v̂ {:g}, above its sticking speed", to_string(key_.kind), beta, v));
       errors[static_cast<std::size_t>(i)] = {
           std::max(std::abs(found->restitution * found->restitution - exact.restitution * exact.restitution),
                    std::abs(found->contact_time / exact.contact_time - 1)),
@@ -128,7 +132,8 @@ TableOutcome exact_table_outcome(const ContactKind& kind, double damping_ratio, 
 }
 
 CollisionTable build_collision_table(const TableKey& key, int threads, const std::function<void(double)>& progress) {
-  if (!(key.tolerance >= 1e-9 && key.tolerance <= 1e-2)) throw WorkError(fmt::format("a collision table has a tolerance of 1e-9 to 1e-2, found {:g}", key.tolerance));
+  if (!(key.tolerance >= 1e-9 && key.tolerance <= 1e-2))
+    throw WorkError(fmt::format("a collision table has a tolerance of 1e-9 to 1e-2, found {:g}", key.tolerance));
   const TableKey canonical_key{canonical(key.kind), key.tolerance};
   const auto report = [&](double done) {
     if (progress) progress(done);
@@ -163,7 +168,8 @@ CollisionTable build_collision_table(const TableKey& key, int threads, const std
     if (damping_error >= 0.5 * canonical_key.tolerance || damping_error >= speed_error) damping_count = 2 * damping_count - 1;
     if (adhesive && (speed_error >= 0.5 * canonical_key.tolerance || speed_error > damping_error)) speed_count = 2 * speed_count - 1;
     if (std::max(damping_count, speed_count) > largest_axis) {
-      throw WorkError(fmt::format("the table of {} does not reach a tolerance of {:g}: its error is {:.2g} at {} x {} nodes", to_string(canonical_key.kind), canonical_key.tolerance, error, damping_count, speed_count));
+      throw WorkError(fmt::format("the table of {} does not reach a tolerance of {:g}: its error is {:.2g} at {} x {} nodes",
+                                  to_string(canonical_key.kind), canonical_key.tolerance, error, damping_count, speed_count));
     }
     report(0.6);
   }

@@ -11,8 +11,7 @@ namespace scalebreak {
 /// Uses `threads` cores (0: all); the result has the same bits for any number.
 /// `progress(done)` is told the share of the work behind it, as far as one can know, from this thread.
 /// Throws WorkError if a collision fails or the tolerance is not reached on the largest grid.
-[[nodiscard]] CollisionTable build_collision_table(const TableKey& key, int threads = 0,
-                                                   const std::function<void(double)>& progress = {});
+[[nodiscard]] CollisionTable build_collision_table(const TableKey& key, int threads = 0, const std::function<void(double)>& progress = {});
 
 /// The exact answer at any point, in the form of a table's: for what leaves a table, and to check one.
 [[nodiscard]] TableOutcome exact_table_outcome(const ContactKind& kind, double damping_ratio, double speed, double tolerance);

@@ -13,7 +13,8 @@ namespace scalebreak {
 std::filesystem::path default_table_folder() {
   const char* cache = std::getenv("XDG_CACHE_HOME");
   const char* home = std::getenv("HOME");
-  const std::filesystem::path root = cache && *cache ? std::filesystem::path(cache) : std::filesystem::path(home && *home ? home : ".") / ".cache";
+  const std::filesystem::path root =
+      cache && *cache ? std::filesystem::path(cache) : std::filesystem::path(home && *home ? home : ".") / ".cache";
   return root / "scalebreak" / "tables";
 }
 
@@ -22,7 +23,8 @@ StoredTable obtain_table(const TableKey& key, const TableStore& store, bool rebu
     TableOnDisk found = read_table(store.folder, key);
     if (found.table) return {.table = std::move(*found.table)};
     if (!found.problem.empty() && store.say) {
-      store.say(fmt::format("the table {} in {} is not used: {}; it is built anew", table_file_name(key), store.folder.string(), found.problem));
+      store.say(
+          fmt::format("the table {} in {} is not used: {}; it is built anew", table_file_name(key), store.folder.string(), found.problem));
     }
   }
   const auto start = std::chrono::steady_clock::now();

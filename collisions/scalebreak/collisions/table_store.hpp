@@ -10,10 +10,10 @@ namespace scalebreak {
 
 /// Where tables are kept and how they are made.
 struct TableStore {
-  std::filesystem::path folder;  ///< of the cache
-  int threads = 0;               ///< for building; 0: all
+  std::filesystem::path folder;                      ///< of the cache
+  int threads = 0;                                   ///< for building; 0: all
   std::function<void(const std::string&)> say = {};  ///< told, in a sentence, of a table that could not be used
-  std::function<void(double)> progress = {};     ///< share of a build that is done
+  std::function<void(double)> progress = {};         ///< share of a build that is done
 };
 
 /// A table and how it was had.

@@ -20,9 +20,7 @@ const char* to_string(AdhesionRange range) {
   return "?";
 }
 
-const char* to_string(DampingOn damping_on) {
-  return damping_on == DampingOn::overlap ? "overlap" : "contact_radius";
-}
+const char* to_string(DampingOn damping_on) { return damping_on == DampingOn::overlap ? "overlap" : "contact_radius"; }
 
 std::string to_string(const ContactKind& kind) {
   return std::string(to_string(kind.normal)) + ", " + to_string(kind.range) + ", " + to_string(kind.damping_on);

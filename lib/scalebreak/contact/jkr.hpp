@@ -53,9 +53,7 @@ struct Jkr {
   }
 
   /// The dashpot on the overlap, as a function of w = δ^{1/4}, in which it is smooth.
-  [[nodiscard]] T damping_of_root(T w) const
-    requires(damping_on == DampingOn::overlap)
-  {
+  [[nodiscard]] T damping_of_root(T w) const requires(damping_on == DampingOn::overlap) {
     using std::sqrt;
     return dashpot / sqrt(sqrt(curvature)) * w;
   }
@@ -107,9 +105,9 @@ struct Jkr {
   [[nodiscard]] T primitive(T x) const {
     const T cube = x * x * x;
     const T fourth = cube * x;
-    return fourth * (cube * (T(2) / 5 * stiffness * curvature * cube -
-                             (stiffness * adhesive_overlap + 4 * adhesive_force * curvature) / 7) +
-                     adhesive_force * adhesive_overlap / 4);
+    return fourth *
+           (cube * (T(2) / 5 * stiffness * curvature * cube - (stiffness * adhesive_overlap + 4 * adhesive_force * curvature) / 7) +
+            adhesive_force * adhesive_overlap / 4);
   }
 };
 

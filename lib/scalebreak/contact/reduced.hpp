@@ -60,18 +60,16 @@ template <class T>
 
 /// A collision in reduced variables, with what turns the answer back into SI.
 struct ReducedCollision {
-  double speed;         ///< v̂; 1 without adhesion
-  double damping_ratio; ///< β
+  double speed;          ///< v̂; 1 without adhesion
+  double damping_ratio;  ///< β
   ReducedScales<double> scales;
 };
 
 /// `speed` in m/s, positive. The kind must suit the pair: JKR needs surface_energy > 0.
 [[nodiscard]] inline ReducedCollision reduce(const ContactKind& kind, const NormalPair& pair, double speed) {
   switch (kind.normal) {
-    case NormalModel::linear:
-      return {1.0, pair.damping_ratio, linear_scales(pair.spring_constant, pair.mass, speed)};
-    case NormalModel::hertz:
-      return {1.0, pair.damping_ratio, hertz_scales(pair.radius, pair.young, pair.mass, speed)};
+    case NormalModel::linear: return {1.0, pair.damping_ratio, linear_scales(pair.spring_constant, pair.mass, speed)};
+    case NormalModel::hertz: return {1.0, pair.damping_ratio, hertz_scales(pair.radius, pair.young, pair.mass, speed)};
     case NormalModel::jkr: break;
   }
   const auto scales = jkr_scales(pair.radius, pair.young, pair.surface_energy, pair.mass);

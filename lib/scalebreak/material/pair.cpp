@@ -8,17 +8,13 @@
 namespace scalebreak {
 namespace {
 
-double compliance(const Material& material) {
-  return (1 - material.poisson * material.poisson) / material.young;
-}
+double compliance(const Material& material) { return (1 - material.poisson * material.poisson) / material.young; }
 
 double in_series(double first, double second) { return 2 * first * second / (first + second); }
 
 }  // namespace
 
-double sphere_mass(double radius, double density) {
-  return 4.0 / 3.0 * std::numbers::pi * radius * radius * radius * density;
-}
+double sphere_mass(double radius, double density) { return 4.0 / 3.0 * std::numbers::pi * radius * radius * radius * density; }
 
 NormalPair sphere_pair(const Material& first, double radius1, const Material& second, double radius2) {
   const double mass1 = sphere_mass(radius1, first.density);

@@ -28,7 +28,11 @@ void write_file(const std::filesystem::path& path, std::string_view content) {
     }
   }
   fs::rename(part, path, failed);
-  if (failed) throw WorkError(fmt::format("cannot put {} in place: {}", path.string(), failed.message()));
+  if (failed) {
+    const std::string reason = failed.message();
+    fs::remove(part, failed);
+    throw WorkError(fmt::format("cannot put {} in place: {}", path.string(), reason));
+  }
 }
 
 }  // namespace scalebreak

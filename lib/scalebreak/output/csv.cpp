@@ -10,7 +10,10 @@ namespace {
 std::string cell_text(const CsvCell& cell) {
   if (const auto* number = std::get_if<double>(&cell)) return fmt::format("{:.17g}", *number);
   if (const auto* word = std::get_if<std::string>(&cell)) {
-    return word->find_first_of(",\"\n") == std::string::npos ? *word : fmt::format("\"{}\"", *word);
+    if (word->find_first_of(",\"\n") == std::string::npos) return *word;
+    std::string quoted = "\"";
+    for (const char c : *word) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+    return quoted + "\"";
   }
   return "";
 }

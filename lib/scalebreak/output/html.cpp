@@ -69,15 +69,19 @@ void HtmlReport::figure(const std::filesystem::path& svg, const std::string& cap
   std::ifstream file(svg);
   std::string drawing(std::istreambuf_iterator<char>(file), {});
   const std::size_t start = drawing.find("<svg");
-  drawing = start == std::string::npos ? fmt::format("<p>({} was not drawn: gnuplot is missing or failed; its script is kept beside the data.)</p>", html_escaped(svg.filename().string()))
-                                       : with_own_ids(drawing.substr(start), fmt::format("f{}", ++figures_));
+  drawing = start == std::string::npos
+                ? fmt::format("<p>({} was not drawn: gnuplot is missing or failed; its script is kept beside the data.)</p>",
+                              html_escaped(svg.filename().string()))
+                : with_own_ids(drawing.substr(start), fmt::format("f{}", ++figures_));
   body_ += fmt::format("<figure>{}<figcaption>{}</figcaption></figure>\n", drawing, html_escaped(caption));
 }
 
 std::string HtmlReport::text() const {
-  return fmt::format("<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-                     "<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n{}<footer>Made by scalebreak {}.</footer>\n</body>\n</html>\n",
-                     html_escaped(title_), style, body_, html_escaped(std::string(version())));
+  return fmt::format(
+      "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width, "
+      "initial-scale=1\">\n"
+      "<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n{}<footer>Made by scalebreak {}.</footer>\n</body>\n</html>\n",
+      html_escaped(title_), style, body_, html_escaped(std::string(version())));
 }
 
 }  // namespace scalebreak

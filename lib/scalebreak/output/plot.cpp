@@ -1,6 +1,7 @@
 #include <scalebreak/output/plot.hpp>
 
 #include <cstdlib>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -10,29 +11,43 @@ namespace scalebreak {
 namespace {
 
 // Okabe & Ito's colours: told apart by everyone.
-constexpr const char* colours[] = {"#000000", "#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#8B4513", "#7F7F7F", "#B0A000", "#6A3D9A", "#117733", "#882255"};
+constexpr const char* colours[] = {"#000000", "#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9",
+                                   "#8B4513", "#7F7F7F", "#B0A000", "#6A3D9A", "#117733", "#882255"};
 
-/// gnuplot reads "_" in a text as the start of an index.
-std::string plain(const std::string& text) {
+/// A text between gnuplot's single quotes, in which no command is run and only the quote itself is special.
+std::string quoted_text(const std::string& text) {
+  std::string out = "'";
+  for (const char c : text) out += c == '\'' ? std::string("''") : std::string(1, c == '\n' ? ' ' : c);
+  return out + "'";
+}
+
+/// The same for a text that is no formula: gnuplot would read "_" as the start of an index.
+std::string plain_text(const std::string& text) {
   std::string out;
-  for (const char c : text) out += c == '_' ? std::string("\\\\_") : std::string(1, c);
-  return out;
+  for (const char c : text) {
+    if (std::string_view("_^{}@&~\\").find(c) != std::string_view::npos) out += '\\';
+    out += c;
+  }
+  return quoted_text(out);
 }
 
 std::string curve_text(const Curve& curve) {
   const auto style = static_cast<std::size_t>(curve.style);
   const char* colour = colours[style % std::size(colours)];
-  const std::string y = curve.only.empty() ? curve.y : fmt::format("({} ? ({}) : NaN)", curve.only, curve.y.front() == '(' ? curve.y : "$" + curve.y);
+  const std::string y =
+      curve.only.empty() ? curve.y : fmt::format("({} ? ({}) : NaN)", curve.only, curve.y.front() == '(' ? curve.y : "$" + curve.y);
   // Marks shrink with the style, so that those which fall on each other still show.
   constexpr int marks[] = {7, 4, 6, 8, 10, 12, 14, 1, 2, 3};
-  const std::string look = curve.points ? fmt::format("with points pt {} ps {:.2f} lw 1.6 lc rgb '{}'", marks[style % std::size(marks)], 2.3 - 0.13 * static_cast<double>(style % 12), colour)
+  const std::string look = curve.points ? fmt::format("with points pt {} ps {:.2f} lw 1.6 lc rgb '{}'", marks[style % std::size(marks)],
+                                                      1.55 - 0.08 * static_cast<double>(style % 13), colour)
                                         : fmt::format("with lines lw {} lc rgb '{}'", style == 0 ? 2.5 : 1.8, colour);
-  return fmt::format("'{}' using {}:{} {} title \"{}\"", curve.file, curve.x, y, look, plain(curve.title));
+  return fmt::format("'{}' using {}:{} {} title {}", curve.file, curve.x, y, look, plain_text(curve.title));
 }
 
 std::string script(const Plot& plot) {
-  std::string text = fmt::format("# gnuplot {}.gp draws {}.svg and {}.png\nset datafile separator ','\nset encoding utf8\n", plot.name, plot.name, plot.name);
-  text += fmt::format("set title \"{}\"\nset xlabel \"{}\"\nset ylabel \"{}\"\n", plot.title, plot.x_label, plot.y_label);
+  std::string text = fmt::format("# gnuplot {}.gp draws {}.svg and {}.png\nset datafile separator ','\nset encoding utf8\n", plot.name,
+                                 plot.name, plot.name);
+  text += fmt::format("set title {}\nset xlabel {}\nset ylabel {}\n", plain_text(plot.title), quoted_text(plot.x_label), quoted_text(plot.y_label));
   if (plot.log_x) text += "set logscale x\nset format x '%h'\n";
   if (plot.log_y) text += "set logscale y\nset format y '%h'\n";
   text += "set xrange [*:*] noextend\nset grid lc rgb '#dddddd'\nset key outside right top Left reverse\n";
@@ -41,7 +56,8 @@ std::string script(const Plot& plot) {
     if (i > 0) curves += ", \\\n     ";
     curves += curve_text(plot.curves[i]);
   }
-  text += fmt::format("set terminal svg size 900,520 dynamic background rgb 'white' font 'sans,13'\nset output '{}.svg'\nplot {}\n", plot.name, curves);
+  text += fmt::format("set terminal svg size 900,520 dynamic background rgb 'white' font 'sans,13'\nset output '{}.svg'\nplot {}\n",
+                      plot.name, curves);
   text += fmt::format("set terminal pngcairo size 1350,780 font 'sans,15'\nset output '{}.png'\nreplot\n", plot.name);
   return text;
 }
@@ -56,7 +72,8 @@ std::string quoted(const std::string& text) {
 
 bool draw(const Plot& plot, const std::filesystem::path& folder) {
   write_file(folder / (plot.name + ".gp"), script(plot));
-  const std::string command = fmt::format("cd {} && gnuplot {} >/dev/null 2>{}", quoted(folder.string()), quoted(plot.name + ".gp"), quoted(plot.name + ".log"));
+  const std::string command =
+      fmt::format("cd {} && gnuplot {} >/dev/null 2>{}", quoted(folder.string()), quoted(plot.name + ".gp"), quoted(plot.name + ".log"));
   const bool drawn = std::system(command.c_str()) == 0;
   if (drawn) std::filesystem::remove(folder / (plot.name + ".log"));
   return drawn;

@@ -10,16 +10,30 @@ const std::vector<ScalingLaw>& scaling_laws() {
   using enum FactorOf;
   static const std::vector<ScalingLaw> laws = {
       {.name = "none", .factor_of = stiffness_or_size, .young = 1, .spring_constant = 1, .source = "no correction"},
-      {.name = "rps", .factor_of = stiffness, .young = 1, .spring_constant = 1, .surface_energy = 2.0 / 5, .source = "Washino et al. 2024, Tables 1 and 3"},
+      {.name = "rps",
+       .factor_of = stiffness,
+       .young = 1,
+       .spring_constant = 1,
+       .surface_energy = 2.0 / 5,
+       .source = "Washino et al. 2024, Tables 1 and 3"},
       {.name = "sup", .factor_of = size, .direct_force = true, .overlap = 1, .force = 2, .source = "Hu 2024, Method 1"},
       {.name = "overlap_kept", .factor_of = size, .direct_force = true, .overlap = 0, .force = 2, .source = "Hu 2024, chapter 4, Method 2"},
       {.name = "force_cubed", .factor_of = size, .direct_force = true, .overlap = 1, .force = 3, .source = "Hu 2024, Method 3"},
-      {.name = "torque_cubed", .factor_of = size, .direct_force = true, .overlap = 1, .force = 2, .source = "Hu 2024, chapter 5, Method 2, after Chu et al. 2016"},
+      {.name = "torque_cubed",
+       .factor_of = size,
+       .direct_force = true,
+       .overlap = 1,
+       .force = 2,
+       .source = "Hu 2024, chapter 5, Method 2, after Chu et al. 2016"},
       {.name = "sakai", .factor_of = size, .direct_force = true, .overlap = 0, .force = 3, .source = "Sakai & Koshizuka 2009"},
       {.name = "chen_elliott", .factor_of = size, .young = 5.0 / 2, .surface_energy = 2, .source = "Chen & Elliott, Table 3"},
       {.name = "bond", .factor_of = size, .surface_energy = 2, .source = "keeps F_po/mg (Chen & Elliott, eq. 26)"},
       {.name = "cohesion", .factor_of = size, .surface_energy = 8.0 / 5, .source = "keeps the Cohesion number (Chen & Elliott, eq. 27)"},
-      {.name = "thakur", .factor_of = size, .spring_constant = 1, .surface_energy = 1, .source = "Bierwisch et al. 2009, Thakur et al. 2016"},
+      {.name = "thakur",
+       .factor_of = size,
+       .spring_constant = 1,
+       .surface_energy = 1,
+       .source = "Bierwisch et al. 2009, Thakur et al. 2016"},
   };
   return laws;
 }
@@ -53,10 +67,12 @@ std::optional<std::string> refusal(const ScalingLaw& law, double factor, NormalM
   }
   const bool surface_energy_only = !law.direct_force && law.young == 0 && law.spring_constant == 0;
   if (surface_energy_only && normal != NormalModel::jkr) {
-    return fmt::format("scaling.law = \"{}\" scales the surface energy alone, which contact.normal = \"{}\" does not use; use \"jkr\"", law.name, to_string(normal));
+    return fmt::format("scaling.law = \"{}\" scales the surface energy alone, which contact.normal = \"{}\" does not use; use \"jkr\"",
+                       law.name, to_string(normal));
   }
   if (law.name == "chen_elliott" && normal == NormalModel::linear) {
-    return fmt::format("scaling.law = \"{}\" scales Young's modulus, which contact.normal = \"linear\" does not use; use \"hertz\" or \"jkr\"", law.name);
+    return fmt::format(
+        "scaling.law = \"{}\" scales Young's modulus, which contact.normal = \"linear\" does not use; use \"hertz\" or \"jkr\"", law.name);
   }
   return std::nullopt;
 }

@@ -34,7 +34,7 @@ struct Input {
   double scaling_factor = 1;
   std::vector<std::string> study_laws;  ///< empty: all that suit the contact
   std::vector<double> study_factors = {0.1, 0.01, 0.0001, 2, 4, 8};
-  std::vector<double> study_speeds;     ///< empty: about the sticking speed
+  std::vector<double> study_speeds;  ///< empty: about the sticking speed
   double tolerance = 1e-8;
   double table_tolerance = 1e-6;
 

@@ -15,11 +15,12 @@ namespace {
 
 constexpr const char* materials[] = {"material", "second", "wall"};
 
-/// Of the words that could have been meant: the one with the most letters in common order.
+/// Of the keys that could have been meant: the one whose name has the most letters of the word in the same order.
 std::string nearest(const std::string& word, const std::vector<std::string>& candidates) {
   std::size_t best = 0;
   std::string chosen;
-  for (const std::string& candidate : candidates) {
+  for (const std::string& dotted : candidates) {
+    const std::string candidate = dotted.substr(dotted.rfind('.') + 1);
     std::vector<std::size_t> row(candidate.size() + 1, 0);
     for (const char c : word) {
       std::size_t diagonal = 0;
@@ -29,7 +30,7 @@ std::string nearest(const std::string& word, const std::vector<std::string>& can
         diagonal = above;
       }
     }
-    if (row.back() > best && 2 * row.back() >= word.size()) best = row.back(), chosen = candidate;
+    if (row.back() > best && 2 * row.back() >= word.size()) best = row.back(), chosen = dotted;
   }
   return chosen;
 }
@@ -53,10 +54,12 @@ const Key* find_key(const std::string& dotted) {
   }
   if (section == "body") names = {"body.position", "body.velocity", "body.radius"};
   if (names.empty()) {
-    throw InputError(fmt::format("{}: {}: there is no such section; allowed: {}, body", given.where.text, given.key, fmt::join(sections, ", ")));
+    throw InputError(
+        fmt::format("{}: {}: there is no such section; allowed: {}, body", given.where.text, given.key, fmt::join(sections, ", ")));
   }
-  const std::string guess = nearest(given.key, names);
-  throw InputError(fmt::format("{}: {}: there is no such key{}; allowed: {}", given.where.text, given.key, guess.empty() ? "" : fmt::format(" (did you mean {}?)", guess), fmt::join(names, ", ")));
+  const std::string guess = nearest(given.key.substr(given.key.rfind('.') + 1), names);
+  throw InputError(fmt::format("{}: {}: there is no such key{}; allowed: {}", given.where.text, given.key,
+                               guess.empty() ? "" : fmt::format(" (did you mean {}?)", guess), fmt::join(names, ", ")));
 }
 
 void apply(const Key& key, Input& input, const Assignment& given) {
@@ -71,9 +74,10 @@ void apply(const Key& key, Input& input, const Assignment& given) {
 
 /// "body.2.radius" → 2; 0 for anything else.
 std::size_t body_index(const std::string& key) {
-  if (key.rfind("body.", 0) != 0) return 0;
-  const std::string digits = key.substr(5, key.find('.', 5) - 5);
-  if (digits.empty() || digits.size() > 4 || digits.find_first_not_of("0123456789") != std::string::npos) return 0;
+  const std::size_t first = key.find('.'), second = key.find('.', first + 1);
+  if (key.rfind("body.", 0) != 0 || second == std::string::npos || key.find('.', second + 1) != std::string::npos) return 0;
+  const std::string digits = key.substr(first + 1, second - first - 1);
+  if (digits.empty() || digits.size() > 4 || digits.front() == '0' || digits.find_first_not_of("0123456789") != std::string::npos) return 0;
   return static_cast<std::size_t>(std::stoul(digits));
 }
 
@@ -91,7 +95,9 @@ void apply_material(const std::string& section, Input& input, const std::vector<
   for (const Assignment& item : given) {
     if (item.key != section + ".name") continue;
     const auto* name = std::get_if<std::string>(&item.value);
-    if (!name) throw InputError(fmt::format("{}: {}: found {}; allowed: the name of a material, as a string", item.where.text, item.key, to_toml(item.value)));
+    if (!name)
+      throw InputError(
+          fmt::format("{}: {}: found {}; allowed: the name of a material, as a string", item.where.text, item.key, to_toml(item.value)));
     for (Assignment property : named_material(*name, item.where, item.key)) {
       property.key = section + "." + property.key;
       const Key* key = find_key(property.key);
@@ -114,7 +120,8 @@ Input resolve_input(const std::vector<Assignment>& all) {
   }
   std::size_t bodies = 0;
   for (const Assignment& item : given) {
-    const bool named = std::any_of(std::begin(materials), std::end(materials), [&](const char* m) { return item.key == std::string(m) + ".name"; });
+    const bool named =
+        std::any_of(std::begin(materials), std::end(materials), [&](const char* m) { return item.key == std::string(m) + ".name"; });
     bodies = std::max(bodies, body_index(item.key));
     if (!named && !find_key(item.key) && body_index(item.key) == 0) unknown(item);
   }
@@ -138,7 +145,8 @@ Input resolve_input(const std::vector<Assignment>& all) {
   apply_material("second", input, given);
   apply_material("wall", input, given);
   for (const Assignment& item : given) {
-    const bool material = std::any_of(std::begin(materials), std::end(materials), [&](const char* m) { return item.key.rfind(std::string(m) + ".", 0) == 0; });
+    const bool material = std::any_of(std::begin(materials), std::end(materials),
+                                      [&](const char* m) { return item.key.rfind(std::string(m) + ".", 0) == 0; });
     if (material) continue;
     body_index(item.key) > 0 ? apply_body(input, item) : apply(*find_key(item.key), input, item);
   }
@@ -162,7 +170,10 @@ std::string write_input(const Input& input) {
 
 std::string describe_keys() {
   const Input defaults;
-  std::string text = "# Every key with its default, in SI units. name = \"...\" in [material], [second] or [wall] takes a material of data/materials.\n", section;
+  std::string text =
+                  "# Every key with its default, in SI units. name = \"...\" in [material], [second] or [wall] takes a material of "
+                  "data/materials.\n",
+              section;
   const auto line = [&](const Key& key, const std::string& value) {
     text += fmt::format("{:<40} # [{}] {}; allowed: {}\n", fmt::format("{} = {}", key.name, value), key.unit, key.meaning, key.allowed);
   };
@@ -178,7 +189,9 @@ std::string describe_keys() {
   Input with_body;
   with_body.bodies.resize(1);
   text += "# [[body]]\n";
-  for (const Key& key : body_keys(0)) text += fmt::format("# {:<38} # [{}] {}; allowed: {}\n", key.name == "velocity" ? "velocity = [0, 0, 0]" : key.name + " =", key.unit, key.meaning, key.allowed);
+  for (const Key& key : body_keys(0))
+    text += fmt::format("# {:<38} # [{}] {}; allowed: {}\n", key.name == "velocity" ? "velocity = [0, 0, 0]" : key.name + " =", key.unit,
+                        key.meaning, key.allowed);
   return text;
 }
 

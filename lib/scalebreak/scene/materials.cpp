@@ -31,7 +31,8 @@ std::vector<Assignment> named_material(const std::string& name, const Where& whe
   }
   std::sort(names.begin(), names.end());
   if (std::find(names.begin(), names.end(), name) == names.end()) {
-    throw InputError(fmt::format("{}: {}: found \"{}\"; allowed: a material of {}: {}", where.text, key, name, folder.string(), names.empty() ? "none there" : fmt::format("\"{}\"", fmt::join(names, "\", \""))));
+    throw InputError(fmt::format("{}: {}: found \"{}\"; allowed: a material of {}: {}", where.text, key, name, folder.string(),
+                                 names.empty() ? "none there" : fmt::format("\"{}\"", fmt::join(names, "\", \""))));
   }
   std::vector<Assignment> assignments = read_toml_file(folder / (name + ".toml"));
   for (Assignment& item : assignments) {

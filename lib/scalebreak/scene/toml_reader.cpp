@@ -12,9 +12,7 @@
 namespace scalebreak {
 namespace {
 
-Where where_of(const toml::node& node, const std::string& name) {
-  return {fmt::format("{}, line {}", name, node.source().begin.line)};
-}
+Where where_of(const toml::node& node, const std::string& name) { return {fmt::format("{}, line {}", name, node.source().begin.line)}; }
 
 /// A number from TOML's integer or float.
 std::optional<double> number_of(const toml::node& node) {
@@ -35,7 +33,8 @@ Value array_of(const toml::array& array, const std::string& key, const Where& wh
       throw InputError(fmt::format("{}: {}: an array holds numbers or strings, found neither", where.text, key));
     }
   }
-  if (!numbers.empty() && !words.empty()) throw InputError(fmt::format("{}: {}: an array holds numbers or strings, found both", where.text, key));
+  if (!numbers.empty() && !words.empty())
+    throw InputError(fmt::format("{}: {}: an array holds numbers or strings, found both", where.text, key));
   if (!words.empty()) return words;
   return numbers;
 }
@@ -48,6 +47,33 @@ Value value_of(const toml::node& node, const std::string& key, const Where& wher
   throw InputError(fmt::format("{}: {}: found a date or time; allowed: a number, true or false, a string, an array", where.text, key));
 }
 
+/// More parts than this in one key would take the parser's stack; no key here has four.
+constexpr int deepest_key = 64;
+
+/// Throws if a line holds a key of too many parts. Text in quotes and comments does not count.
+void check_key_depth(std::string_view text, const std::string& name) {
+  int line = 1, dots = 0;
+  char quote = 0;
+  bool comment = false;
+  for (const char c : text) {
+    if (c == '\n') {
+      ++line, dots = 0, quote = 0, comment = false;
+    } else if (comment) {
+      continue;
+    } else if (quote) {
+      if (c == quote) quote = 0;
+    } else if (c == '"' || c == '\'') {
+      quote = c;
+    } else if (c == '#') {
+      comment = true;
+    } else if (std::string_view("=,[]{}").find(c) != std::string_view::npos) {
+      dots = 0;
+    } else if (c == '.' && ++dots >= deepest_key) {
+      throw InputError(fmt::format("{}, line {}: found a key of more than {} parts; allowed: section.key", name, line, deepest_key));
+    }
+  }
+}
+
 using Placed = std::pair<toml::source_position, Assignment>;
 
 void flatten(const toml::table& table, const std::string& prefix, const std::string& name, std::vector<Placed>& out) {
@@ -57,7 +83,11 @@ void flatten(const toml::table& table, const std::string& prefix, const std::str
       flatten(*inner, key, name, out);
     } else if (const auto* array = node.as_array(); array && !array->empty() && array->is_homogeneous(toml::node_type::table)) {
       int index = 0;
-      for (const toml::node& item : *array) flatten(*item.as_table(), fmt::format("{}.{}", key, ++index), name, out);
+      for (const toml::node& item : *array) {
+        const std::string numbered = fmt::format("{}.{}", key, ++index);
+        if (item.as_table()->empty()) out.push_back({item.source().begin, {numbered, true, where_of(item, name)}});  // not passed over
+        flatten(*item.as_table(), numbered, name, out);
+      }
     } else {
       const Where where = where_of(node, name);
       out.push_back({node.source().begin, {key, value_of(node, key, where), where}});
@@ -68,6 +98,7 @@ void flatten(const toml::table& table, const std::string& prefix, const std::str
 }  // namespace
 
 std::vector<Assignment> read_toml(std::string_view text, const std::string& name) {
+  check_key_depth(text, name);
   std::vector<Placed> placed;
   try {
     const toml::table table = toml::parse(text);
@@ -83,7 +114,8 @@ std::vector<Assignment> read_toml(std::string_view text, const std::string& name
 
 std::vector<Assignment> read_toml_file(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
-  if (!file || std::filesystem::is_directory(path)) throw InputError(fmt::format("{}: there is no such file, or it cannot be read", path.string()));
+  if (!file || std::filesystem::is_directory(path))
+    throw InputError(fmt::format("{}: there is no such file, or it cannot be read", path.string()));
   const std::string text(std::istreambuf_iterator<char>(file), {});
   return read_toml(text, path.string());
 }
@@ -101,8 +133,12 @@ Assignment read_setting(const std::string& text) {
     if (table.size() == 1 && !node->is_table()) return {key, value_of(*node, key, where), where};
   } catch (const toml::parse_error&) {
   }
-  const bool word = !value.empty() && std::all_of(value.begin(), value.end(), [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '+' || c == '-' || c == '.' || c == '/'; });
-  if (!word) throw InputError(fmt::format("{}: found {}; allowed: a number, a bare word, \"a string\", [an, array], true or false", where.text, value.empty() ? "nothing" : value));
+  const bool word = !value.empty() && std::all_of(value.begin(), value.end(), [](unsigned char c) {
+    return std::isalnum(c) || c == '_' || c == '+' || c == '-' || c == '.' || c == '/';
+  });
+  if (!word)
+    throw InputError(fmt::format("{}: found {}; allowed: a number, a bare word, \"a string\", [an, array], true or false", where.text,
+                                 value.empty() ? "nothing" : value));
   return {key, value, where};
 }
 

@@ -63,9 +63,8 @@ CollisionTable::CollisionTable(TableKey key, Axis damping, Axis speed, std::vect
     : key_(key), damping_(damping), speed_(speed), nodes_(std::move(nodes)), sticking_(std::move(sticking)), quality_(quality) {
   const bool adhesive = key_.kind.adhesive();
   const auto count = static_cast<std::size_t>(damping_.count) * static_cast<std::size_t>(speed_.count);
-  if (damping_.count < Stencil::width || (adhesive ? speed_.count < Stencil::width : speed_.count != 1) ||
-      nodes_.size() != count || sticking_.squared.size() != static_cast<std::size_t>(sticking_.axis.count) ||
-      (adhesive && sticking_.axis.count < Stencil::width)) {
+  if (damping_.count < Stencil::width || (adhesive ? speed_.count < Stencil::width : speed_.count != 1) || nodes_.size() != count ||
+      sticking_.squared.size() != static_cast<std::size_t>(sticking_.axis.count) || (adhesive && sticking_.axis.count < Stencil::width)) {
     throw WorkError("a collision table has a shape that does not fit its axes");
   }
   smooth_.reserve(count);

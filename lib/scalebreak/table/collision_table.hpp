@@ -56,8 +56,7 @@ using SmoothNode = Eigen::Array4d;
 class CollisionTable {
  public:
   /// `nodes` row by row: speed runs fastest. Throws WorkError if the shapes disagree.
-  CollisionTable(TableKey key, Axis damping, Axis speed, std::vector<TableNode> nodes, StickingCurve sticking,
-                 TableQuality quality);
+  CollisionTable(TableKey key, Axis damping, Axis speed, std::vector<TableNode> nodes, StickingCurve sticking, TableQuality quality);
 
   /// The collision at damping ratio β and reduced speed v̂, or nothing where the table does not reach:
   /// within 0.01 of the sticking speed (in √(v̂² − v̂_s²)), beyond 1e5, or e < 0.05.

@@ -4,8 +4,8 @@
 #include <fstream>
 #include <iterator>
 
-#include <boost/crc.hpp>
 #include <fmt/format.h>
+#include <boost/crc.hpp>
 #include <nlohmann/json.hpp>
 
 #include <scalebreak/output/atomic_file.hpp>
@@ -72,13 +72,16 @@ TableOnDisk parse(const std::string& text, const std::string& array, const Table
   json j = json::parse(text);
   const json said = j.at("checksum");
   j.erase("checksum");
-  if (j.at("format_version") != format_version) return {{}, fmt::format("it has format version {}, this program has {}", j.at("format_version").dump(), format_version)};
+  if (j.at("format_version") != format_version)
+    return {{}, fmt::format("it has format version {}, this program has {}", j.at("format_version").dump(), format_version)};
   if (j.at("key") != key_json(key)) return {{}, "it is of another key"};
   if (said != checksum(array, j)) return {{}, "its checksum does not fit"};
-  StickingCurve curve{axis_of(j.at("sticking_speed_squared").at("axis")), j.at("sticking_speed_squared").at("values").get<std::vector<double>>()};
+  StickingCurve curve{axis_of(j.at("sticking_speed_squared").at("axis")),
+                      j.at("sticking_speed_squared").at("values").get<std::vector<double>>()};
   const Axis damping = axis_of(j.at("damping_axis")), speed = axis_of(j.at("speed_axis"));
   const json& q = j.at("quality");
-  const TableQuality quality{q.at("error_max"), q.at("error_rms"), q.at("sticking_speed_error"), q.at("max_overlap_error"), q.at("samples")};
+  const TableQuality quality{q.at("error_max"), q.at("error_rms"), q.at("sticking_speed_error"), q.at("max_overlap_error"),
+                             q.at("samples")};
   const std::size_t count = static_cast<std::size_t>(damping.count) * static_cast<std::size_t>(speed.count);
   if (array.size() < count * sizeof(TableNode)) return {{}, "its array is short"};
   std::vector<TableNode> nodes(count);
@@ -100,18 +103,18 @@ void write_table(const std::filesystem::path& folder, const CollisionTable& tabl
   const std::string array = npy(table);
   const TableQuality& quality = table.quality();
   json j = {{"format", "scalebreak collision table"},
-                  {"format_version", format_version},
-                  {"array", name + ".npy"},
-                  {"key", key_json(table.key())},
-                  {"quality",
-                   {{"error_max", quality.error_max},
-                    {"error_rms", quality.error_rms},
-                    {"sticking_speed_error", quality.sticking_speed_error},
-                    {"max_overlap_error", quality.max_overlap_error},
-                    {"samples", quality.samples}}},
-                  {"damping_axis", axis_json(table.damping_axis())},
-                  {"speed_axis", axis_json(table.speed_axis())},
-                  {"sticking_speed_squared", {{"axis", axis_json(table.sticking().axis)}, {"values", table.sticking().squared}}}};
+            {"format_version", format_version},
+            {"array", name + ".npy"},
+            {"key", key_json(table.key())},
+            {"quality",
+             {{"error_max", quality.error_max},
+              {"error_rms", quality.error_rms},
+              {"sticking_speed_error", quality.sticking_speed_error},
+              {"max_overlap_error", quality.max_overlap_error},
+              {"samples", quality.samples}}},
+            {"damping_axis", axis_json(table.damping_axis())},
+            {"speed_axis", axis_json(table.speed_axis())},
+            {"sticking_speed_squared", {{"axis", axis_json(table.sticking().axis)}, {"values", table.sticking().squared}}}};
   j["checksum"] = checksum(array, j);
   write_file(folder / (name + ".npy"), array);
   write_file(folder / (name + ".json"), j.dump(1) + "\n");
