@@ -77,7 +77,7 @@ void write_files(const Options& options, const Input& input) {
             false,
             false,
             {}};
-  plot.curves = {{"trajectory.csv", "2", "7", "spring and dashpot"}, {"trajectory.csv", "2", "5", "spring and adhesion"}};
+  plot.curves = {{"trajectory.csv", "2", "7", "with the dashpot"}, {"trajectory.csv", "2", "5", "without the dashpot", false, 2}};
   if (!draw(plot, options.out))
     options.say("force_overlap was not drawn: gnuplot is missing or failed; its script is kept in " + options.out);
 }
