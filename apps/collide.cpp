@@ -14,7 +14,6 @@ namespace {
 
 using nlohmann::json;
 
-json or_null(const std::optional<double>& value) { return value ? json(*value) : json(); }
 json vector_json(const Eigen::Vector3d& v) { return {v[0], v[1], v[2]}; }
 const json no_spin = {0.0, 0.0, 0.0};
 
@@ -92,6 +91,7 @@ void add_collide(CLI::App& app, Options& options, std::function<void()>& job) {
       if (answered_early(options, [](const Input&) { return "below 1 ms, below 1 MB"; })) return;
       const Input input = options.input();
       const CollisionResult result = resolve_collision(input);
+      if (result.deep) options.say(too_deep);
       if (!options.out.empty()) write_files(options, input);
       deliver(options, input, "collide", input.bodies.empty() ? pair_json(result) : bodies_json(result));
       if (!options.json) print(result);

@@ -22,6 +22,7 @@ struct Options {
   std::string out, tables;
   int threads = 0;
   bool json = false, check = false, print_defaults = false, quiet = false;
+  bool all_kinds = false, rebuild = false;  ///< of `table`
 
   /// The input of one file, or of none.
   [[nodiscard]] Input input(const std::optional<std::string>& file) const;
@@ -45,6 +46,14 @@ bool answered_early(const Options& options, const std::function<std::string(cons
 
 /// Prints the object if --json asks for it, and writes result.json and input.toml into --out if that is given.
 void deliver(const Options& options, const Input& input, const std::string& command, const nlohmann::json& result);
+
+/// A number, or null where there is none.
+[[nodiscard]] inline nlohmann::json or_null(const std::optional<double>& value) {
+  return value ? nlohmann::json(*value) : nlohmann::json();
+}
+
+/// Said where contact laws of small overlaps are used beyond them.
+inline constexpr const char* too_deep = "the largest overlap exceeds a tenth of R*, more than the contact laws are meant for";
 
 void add_collide(CLI::App& app, Options& options, std::function<void()>& job);
 void add_table(CLI::App& app, Options& options, std::function<void()>& job);

@@ -13,8 +13,6 @@ namespace {
 
 using nlohmann::json;
 
-json or_null(const std::optional<double>& value) { return value ? json(*value) : json(); }
-
 json study_json(const InvarianceStudy& study) {
   json records = json::array();
   for (const InvarianceRecord& r : study.records) {
@@ -60,9 +58,8 @@ void run(const Options& options) {
   for (const auto& file : files) {
     inputs.push_back(options.input(file));
     if (!inputs.back().bodies.empty())
-      throw InputError(fmt::format("{}: invariance compares pairs; allowed: [pair] and [impact] in place of [[body]]", file.value_or("--"
-                                                                                                                                     "se"
-                                                                                                                                     "t")));
+      throw InputError(
+          fmt::format("{}: invariance compares pairs; allowed: [pair] and [impact] in place of [[body]]", file.value_or("--set")));
   }
   HtmlReport report("What scaling laws keep in a collision",
                     "Each scaling law is applied to one pair at several factors, and every collision is resolved exactly. "
@@ -73,17 +70,19 @@ void run(const Options& options) {
   for (std::size_t i = 0; i < inputs.size(); ++i) {
     const Input& input = inputs[i];
     const ContactKind kind = effective_kind(input.contact, input.colliding().pair().surface_energy);
-    InvarianceChapter chapter{names[i], input, run_invariance(input, options.threads, options.progress("comparing laws, " + names[i])),
-                              obtain_table({kind, input.table_tolerance}, options.store())};
-    if (chapter.study.skipped > 0)
+    const InvarianceStudy study = run_invariance(input, options.threads, options.progress("comparing laws, " + names[i]));
+    if (study.skipped > 0) {
       options.say(fmt::format("{}: {} pairs of law and factor were left out: each law takes the factors on its side of 1", names[i],
-                              chapter.study.skipped));
-    results.push_back(study_json(chapter.study));
+                              study.skipped));
+    }
+    if (study.deep > 0) options.say(fmt::format("{}: in {} collisions {}", names[i], study.deep, too_deep));
+    results.push_back(study_json(study));
     if (!options.json) {
       fmt::print("{}\n", names[i]);
-      for (const LawSummary& summary : chapter.study.summaries) fmt::print("  {}\n", in_words(summary));
+      for (const LawSummary& summary : study.summaries) fmt::print("  {}\n", in_words(summary));
     }
     if (options.out.empty()) continue;
+    const InvarianceChapter chapter{names[i], input, study, obtain_table({kind, input.table_tolerance}, options.store())};
     const std::filesystem::path folder =
         inputs.size() == 1 ? std::filesystem::path(options.out) : std::filesystem::path(options.out) / names[i];
     write_file(folder / "input.toml", input_file_text(input, "invariance"));

@@ -15,15 +15,6 @@ namespace {
 
 using nlohmann::json;
 
-/// Every kind of contact that has a table.
-std::vector<ContactKind> all_kinds() {
-  std::vector<ContactKind> kinds = {canonical({.normal = NormalModel::linear}), canonical({.normal = NormalModel::hertz})};
-  for (const auto range : {AdhesionRange::full, AdhesionRange::pull_off, AdhesionRange::touch}) {
-    for (const auto damping : {DampingOn::overlap, DampingOn::contact_radius}) kinds.push_back({NormalModel::jkr, range, damping});
-  }
-  return kinds;
-}
-
 /// Mean time of a lookup at one damping ratio [ns], over scattered speeds.
 double measure_lookup(const CollisionTable& table) {
   const TableRow row = *table.row(0.1);
@@ -105,22 +96,22 @@ void print(const json& j) {
 void add_table(CLI::App& app, Options& options, std::function<void()>& job) {
   CLI::App* command = app.add_subcommand("table", "build or inspect the collision table of a scene's kind of contact");
   add_options(*command, options);
-  static bool all = false, rebuild = false;
-  command->add_flag("--all", all, "the tables of every kind of contact");
-  command->add_flag("--rebuild", rebuild, "build even where a good table is kept");
+  command->add_flag("--all", options.all_kinds, "the tables of every kind of contact");
+  command->add_flag("--rebuild", options.rebuild, "build even where a good table is kept");
   command->callback([&] {
     job = [&options] {
       if (answered_early(options, [](const Input&) { return "about 1 s on 2 cores at the default tolerance, below 10 MB"; })) return;
       const Input input = options.input();
-      const auto kinds = all ? all_kinds() : std::vector{effective_kind(input.contact, input.colliding().pair().surface_energy)};
+      const auto kinds =
+          options.all_kinds ? all_contact_kinds() : std::vector{effective_kind(input.contact, input.colliding().pair().surface_energy)};
       json results = json::array();
       for (const ContactKind& kind : kinds) {
-        const StoredTable stored = obtain_table({kind, input.table_tolerance}, options.store(), rebuild);
+        const StoredTable stored = obtain_table({kind, input.table_tolerance}, options.store(), options.rebuild);
         results.push_back(table_json(stored));
         if (!options.json) print(results.back());
         if (!options.out.empty()) write_files(options, stored.table);
       }
-      deliver(options, input, "table", all ? json{{"tables", results}} : results.front());
+      deliver(options, input, "table", options.all_kinds ? json{{"tables", results}} : results.front());
     };
   });
 }

@@ -16,8 +16,22 @@ namespace fs = std::filesystem;
 
 struct Collide : ProgramTest {};
 
-const std::set<std::string> result_keys = {"stuck",     "restitution_normal", "restitution_tangential", "restitution_surface", "contact_time", "max_overlap",  "max_force",      "velocity1", "velocity2",
-                                           "spin1",     "spin2",              "energy_before",          "energy_after",        "sticking_speed", "steps",      "modelled"};
+const std::set<std::string> result_keys = {"stuck",
+                                           "restitution_normal",
+                                           "restitution_tangential",
+                                           "restitution_surface",
+                                           "contact_time",
+                                           "max_overlap",
+                                           "max_force",
+                                           "velocity1",
+                                           "velocity2",
+                                           "spin1",
+                                           "spin2",
+                                           "energy_before",
+                                           "energy_after",
+                                           "sticking_speed",
+                                           "steps",
+                                           "modelled"};
 
 /// A collision with these settings, in JSON.
 json collide(std::vector<std::string> settings) {
@@ -106,7 +120,9 @@ TEST_F(Collide, ASphereComesBackFromAWallThatDoesNotMove) {
 }
 
 TEST_F(Collide, AScalingLawIsApplied) {
-  const json original = collide({}), softer = collide({"scaling.law=rps", "scaling.factor=0.01"}), larger = collide({"scaling.law=sup", "scaling.factor=4"});
+  const json original = collide({});
+  const json softer = collide({"scaling.law=rps", "scaling.factor=0.01"});
+  const json larger = collide({"scaling.law=sup", "scaling.factor=4"});
   EXPECT_NEAR(softer["restitution_normal"].get<double>(), original["restitution_normal"].get<double>(), 1e-7);
   EXPECT_NEAR(larger["restitution_normal"].get<double>(), original["restitution_normal"].get<double>(), 1e-7);
   EXPECT_NEAR(larger["contact_time"].get<double>() / original["contact_time"].get<double>(), 4, 1e-6);
@@ -151,7 +167,8 @@ TEST_F(Collide, FilesOfARun) {
   EXPECT_EQ(json_file(out + "/result.json"), result.json());
   const std::string csv = content_of(out + "/trajectory.csv");
   const std::size_t line = csv.find('\n');
-  EXPECT_EQ(csv.substr(0, line), "time [s],overlap [m],contact_radius [m],approach_speed [m/s],elastic_force [N],damping_force [N],force [N]");
+  EXPECT_EQ(csv.substr(0, line),
+            "time [s],overlap [m],contact_radius [m],approach_speed [m/s],elastic_force [N],damping_force [N],force [N]");
   EXPECT_EQ(csv.substr(line + 1, 2), "0,") << "it starts at first touch";
   EXPECT_GT(std::count(csv.begin(), csv.end(), '\n'), 100);
   EXPECT_THAT(content_of(out + "/force_overlap.gp"), HasSubstr("trajectory.csv"));
@@ -172,15 +189,16 @@ TEST_F(Collide, WithoutGnuplotItSaysSoAndKeepsTheRest) {
 }
 
 TEST_F(Collide, TheWrittenInputRunsAgainToTheSameBytes) {
-  const std::string scenes[] = {scene("bodies.toml", two_bodies), scene("pair.toml", "[material]\nname = \"latex\"\nrestitution = 0.7\n[scaling]\nlaw = \"rps\"\nfactor = 0.3\n")};
-  for (const std::string& file : scenes) {
+  const std::string latex = "[material]\nname = \"latex\"\nrestitution = 0.7\n[scaling]\nlaw = \"rps\"\nfactor = 0.3\n";
+  for (const std::string& file : {scene("bodies.toml", two_bodies), scene("pair.toml", latex)}) {
     ASSERT_EQ(run({"collide", file, "--out", out, "--set", "numerics.tolerance=1e-9"}).status, 0);
     const ProgramRun again = run({"collide", out + "/input.toml", "--out", out + "/again"});
     ASSERT_EQ(again.status, 0) << again.err;
     EXPECT_EQ(content_of(out + "/result.json"), content_of(out + "/again/result.json"));
     EXPECT_EQ(content_of(out + "/input.toml"), content_of(out + "/again/input.toml"));
     EXPECT_EQ(content_of(out + "/trajectory.csv"), content_of(out + "/again/trajectory.csv"));
-    EXPECT_THAT(content_of(out + "/input.toml"), testing::MatchesRegex("# scalebreak [0-9.]+ \\(commit [^\n]*run it again with: scalebreak collide input.toml\n(.|\n)*"));
+    const std::string head = "# scalebreak [0-9.]+ \\(commit [^\n]*run it again with: scalebreak collide input.toml\n";
+    EXPECT_THAT(content_of(out + "/input.toml"), testing::MatchesRegex(head + "(.|\n)*"));
   }
 }
 

@@ -30,12 +30,20 @@ TEST_F(CommandLine, HelpListsTheSubcommandsAndTheirOptions) {
     EXPECT_THAT(help.out, HasSubstr(subcommand));
     const ProgramRun own = run({subcommand, "--help"});
     EXPECT_EQ(own.status, 0) << subcommand;
-    for (const char* option : {"FILE.toml", "--set", "--out", "--tables", "--json", "--threads", "--check", "--quiet"}) EXPECT_THAT(own.out, HasSubstr(option)) << subcommand;
+    for (const char* option : {"FILE.toml", "--set", "--out", "--tables", "--json", "--threads", "--check", "--quiet"})
+      EXPECT_THAT(own.out, HasSubstr(option)) << subcommand;
   }
 }
 
 TEST_F(CommandLine, WhatItDoesNotKnowEndsWithStatusTwo) {
-  const std::vector<std::vector<std::string>> wrong = {{}, {"collapse"}, {"--nonsense"}, {"collide", "--nonsense"}, {"collide", "--threads", "many"}, {"collide", "--threads", "-1"}, {"collide", "--set"}, {"collide", "a.toml", "b.toml"}};
+  const std::vector<std::vector<std::string>> wrong = {{},
+                                                       {"collapse"},
+                                                       {"--nonsense"},
+                                                       {"collide", "--nonsense"},
+                                                       {"collide", "--threads", "many"},
+                                                       {"collide", "--threads", "-1"},
+                                                       {"collide", "--set"},
+                                                       {"collide", "a.toml", "b.toml"}};
   for (const auto& words : wrong) {
     const ProgramRun result = run(words);
     EXPECT_EQ(result.status, 2) << testing::PrintToString(words);
@@ -49,7 +57,8 @@ TEST_F(CommandLine, WrongInputEndsWithStatusTwoASentenceAndNothingWritten) {
   for (const char* subcommand : subcommands) {
     const ProgramRun result = run({subcommand, file, "--out", out, "--tables", tables, "--json"});
     EXPECT_EQ(result.status, 2);
-    EXPECT_EQ(result.err, "scalebreak: " + file + ", line 4: material.young: found -1; allowed: a number of at least 100 and at most 1e+14\n");
+    EXPECT_EQ(result.err,
+              "scalebreak: " + file + ", line 4: material.young: found -1; allowed: a number of at least 100 and at most 1e+14\n");
     EXPECT_THAT(result.out, IsEmpty());
     EXPECT_FALSE(std::filesystem::exists(out) || std::filesystem::exists(tables)) << subcommand;
   }
@@ -66,7 +75,8 @@ TEST_F(CommandLine, AMissingFileEndsWithStatusTwo) {
 
 TEST_F(CommandLine, SettingsAreRepeatableTakeOneWordEachAndStandAnywhere) {
   const std::string file = scene("pair.toml", "[impact]\nnormal_speed = 0.3\n");
-  const ProgramRun result = run({"collide", "--set", "material.young=2e9", file, "--set", "pair.radius=[1e-3, 2e-3]", "--set", "contact.normal=hertz", "--check"});
+  const ProgramRun result = run(
+      {"collide", "--set", "material.young=2e9", file, "--set", "pair.radius=[1e-3, 2e-3]", "--set", "contact.normal=hertz", "--check"});
   EXPECT_EQ(result.status, 0) << result.err;
   const Input input = resolved(result.out);
   EXPECT_EQ(input.material.young, 2e9);
@@ -78,7 +88,9 @@ TEST_F(CommandLine, SettingsAreRepeatableTakeOneWordEachAndStandAnywhere) {
 TEST_F(CommandLine, AWrongSettingIsNamedAsItWasGiven) {
   const ProgramRun result = run({"collide", "--set", "impact.normal_speed=0"});
   EXPECT_EQ(result.status, 2);
-  EXPECT_EQ(result.err, "scalebreak: --set impact.normal_speed=0: impact.normal_speed: found 0; allowed: a number of at least 1e-09 and at most 10000\n");
+  EXPECT_EQ(result.err,
+            "scalebreak: --set impact.normal_speed=0: impact.normal_speed: found 0; allowed: a number of at least 1e-09 and at most "
+            "10000\n");
 }
 
 TEST_F(CommandLine, CheckPrintsTheResolvedInputWithAnEstimateAndStops) {
@@ -92,9 +104,7 @@ TEST_F(CommandLine, CheckPrintsTheResolvedInputWithAnEstimateAndStops) {
   }
 }
 
-TEST_F(CommandLine, CheckRefusesWrongInputToo) {
-  EXPECT_EQ(run({"collide", "--check", "--set", "material.poisson=0.7"}).status, 2);
-}
+TEST_F(CommandLine, CheckRefusesWrongInputToo) { EXPECT_EQ(run({"collide", "--check", "--set", "material.poisson=0.7"}).status, 2); }
 
 TEST_F(CommandLine, PrintDefaultsIsAnInputOfTheDefaults) {
   for (const char* subcommand : subcommands) {

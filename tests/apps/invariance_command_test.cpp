@@ -13,7 +13,13 @@ namespace fs = std::filesystem;
 
 /// Small studies, with a coarse table that is built in a moment.
 struct Invariance : ProgramTest {
-  const std::string small = scene("small.toml", "[study]\nlaws = [\"none\", \"rps\", \"sup\"]\nfactors = [0.1, 2]\nspeeds = [1e-4, 0.05, 0.5]\n[numerics]\ntable_tolerance = 1e-3\n");
+  const std::string small = scene("small.toml", R"([study]
+laws = ["none", "rps", "sup"]
+factors = [0.1, 2]
+speeds = [1e-4, 0.05, 0.5]
+[numerics]
+table_tolerance = 1e-3
+)");
 
   [[nodiscard]] ProgramRun invariance(std::vector<std::string> words) const {
     words.insert(words.begin(), {"invariance", "--tables", tables});
@@ -29,7 +35,8 @@ TEST_F(Invariance, JsonHasTheDocumentedRecords) {
   EXPECT_EQ(keys_of(j), std::set<std::string>{"records"});
   ASSERT_EQ(j["records"].size(), 4u * 3) << "none takes both factors, rps and sup one each, at three speeds";
   for (const json& record : j["records"]) {
-    for (const char* key : {"law", "factor", "normal_speed", "stuck", "restitution_normal", "sticking_speed", "contact_time_ratio", "max_overlap_ratio", "sticking_speed_ratio", "spin_ratio"}) {
+    for (const char* key : {"law", "factor", "normal_speed", "stuck", "restitution_normal", "sticking_speed", "contact_time_ratio",
+                            "max_overlap_ratio", "sticking_speed_ratio", "spin_ratio"}) {
       EXPECT_TRUE(record.contains(key)) << key;
     }
     EXPECT_TRUE(record["spin_ratio"].is_null());
@@ -41,7 +48,9 @@ TEST_F(Invariance, JsonHasTheDocumentedRecords) {
 
 TEST_F(Invariance, TheSlowestSpeedSticksAndExactLawsKeepTheRest) {
   std::map<double, double> original;
-  for (const char* speed : {"0.05", "0.5"}) original[std::stod(speed)] = run({"collide", "--json", "--set", std::string("impact.normal_speed=") + speed}).json()["restitution_normal"];
+  for (const char* speed : {"0.05", "0.5"})
+    original[std::stod(speed)] =
+        run({"collide", "--json", "--set", std::string("impact.normal_speed=") + speed}).json()["restitution_normal"];
   const json records = invariance({small, "--json"}).json()["records"];
   EXPECT_EQ(records.size(), 12u);
   for (const json& record : records) {
@@ -54,11 +63,13 @@ TEST_F(Invariance, TheSlowestSpeedSticksAndExactLawsKeepTheRest) {
 }
 
 TEST_F(Invariance, IsTheSameForAnyNumberOfThreads) {
-  for (const char* threads : {"1", "2"}) ASSERT_EQ(invariance({"--set", "numerics.table_tolerance=1e-3", "--threads", threads, "--quiet", "--out", out + threads}).status, 0);
+  for (const char* threads : {"1", "2"})
+    ASSERT_EQ(invariance({"--set", "numerics.table_tolerance=1e-3", "--threads", threads, "--quiet", "--out", out + threads}).status, 0);
   const std::string first = content_of(out + "1/result.json");
   EXPECT_GT(first.size(), 1000u);
   EXPECT_EQ(first, content_of(out + "2/result.json"));
-  for (const char* file : {"invariance.csv", "summary.csv", "restitution.csv", "loops.csv", "input.toml"}) EXPECT_EQ(content_of(out + "1/" + file), content_of(out + "2/" + file)) << file;
+  for (const char* file : {"invariance.csv", "summary.csv", "restitution.csv", "loops.csv", "input.toml"})
+    EXPECT_EQ(content_of(out + "1/" + file), content_of(out + "2/" + file)) << file;
 }
 
 TEST_F(Invariance, OneFileWritesItsResultsAndAReport) {
@@ -72,18 +83,28 @@ TEST_F(Invariance, OneFileWritesItsResultsAndAReport) {
   if (gnuplot_is_there()) {
     EXPECT_THAT(page, HasSubstr("<svg"));
     EXPECT_THAT(page, testing::Not(HasSubstr("was not drawn")));
-    for (const char* plot : {"restitution", "contact_time", "force_overlap", "sticking_speed"}) EXPECT_TRUE(fs::exists(out + "/" + plot + ".svg") && fs::exists(out + "/" + plot + ".png")) << plot;
+    for (const char* plot : {"restitution", "contact_time", "force_overlap", "sticking_speed"})
+      EXPECT_TRUE(fs::exists(out + "/" + plot + ".svg") && fs::exists(out + "/" + plot + ".png")) << plot;
   }
 }
 
 TEST_F(Invariance, TheWrittenInputRunsAgainToTheSameBytes) {
   ASSERT_EQ(invariance({small, "--out", out, "--quiet"}).status, 0);
   ASSERT_EQ(invariance({out + "/input.toml", "--out", out + "/again", "--quiet"}).status, 0);
-  for (const char* file : {"result.json", "input.toml", "invariance.csv", "summary.csv", "restitution.csv"}) EXPECT_EQ(content_of(out + "/" + file), content_of(out + "/again/" + file)) << file;
+  for (const char* file : {"result.json", "input.toml", "invariance.csv", "summary.csv", "restitution.csv"})
+    EXPECT_EQ(content_of(out + "/" + file), content_of(out + "/again/" + file)) << file;
 }
 
 TEST_F(Invariance, TwoFilesMakeTwoChaptersOfOneReport) {
-  const std::string wall = scene("on_wall.toml", "[pair]\npartner = \"wall\"\n[study]\nlaws = [\"rps\"]\nfactors = [0.1]\nspeeds = [0.1]\n[numerics]\ntable_tolerance = 1e-3\n");
+  const std::string wall = scene("on_wall.toml", R"([pair]
+partner = "wall"
+[study]
+laws = ["rps"]
+factors = [0.1]
+speeds = [0.1]
+[numerics]
+table_tolerance = 1e-3
+)");
   const ProgramRun result = invariance({small, wall, "--out", out, "--json"});
   ASSERT_EQ(result.status, 0) << result.err;
   const json scenes = result.json()["scenes"];
@@ -98,7 +119,8 @@ TEST_F(Invariance, TwoFilesMakeTwoChaptersOfOneReport) {
 }
 
 TEST_F(Invariance, FilesOfOneNameGetChaptersOfTheirOwn) {
-  const std::string other = scene("elsewhere/small.toml", "[study]\nlaws = [\"sup\"]\nfactors = [2]\nspeeds = [0.1]\n[numerics]\ntable_tolerance = 1e-3\n");
+  const std::string other =
+      scene("elsewhere/small.toml", "[study]\nlaws = [\"sup\"]\nfactors = [2]\nspeeds = [0.1]\n[numerics]\ntable_tolerance = 1e-3\n");
   ASSERT_EQ(invariance({small, other, "--out", out, "--quiet"}).status, 0);
   EXPECT_EQ(json_file(out + "/small/result.json")["records"].size(), 12u);
   EXPECT_EQ(json_file(out + "/small_2/result.json")["records"].size(), 1u);
@@ -106,7 +128,14 @@ TEST_F(Invariance, FilesOfOneNameGetChaptersOfTheirOwn) {
 
 TEST_F(Invariance, AWrongSecondFileStopsEverything) {
   const std::string bad = scene("bad.toml", "[study]\nlaws = [\"rps\"]\nfactors = [2]\n");
-  const std::string bodies = scene("bodies.toml", "[[body]]\nposition = [0, 0, 1]\nvelocity = [0, 0, -1]\nradius = 0.1\n[[body]]\nposition = [0, 0, 0]\nradius = 0.1\n");
+  const std::string bodies = scene("bodies.toml", R"([[body]]
+position = [0, 0, 1]
+velocity = [0, 0, -1]
+radius = 0.1
+[[body]]
+position = [0, 0, 0]
+radius = 0.1
+)");
   const ProgramRun wrong = invariance({small, bad, "--out", out});
   EXPECT_EQ(wrong.status, 2);
   EXPECT_THAT(wrong.err, HasSubstr("bad.toml, line 2: study.laws holds \"rps\", which no factor of study.factors suits"));

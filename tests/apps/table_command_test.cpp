@@ -66,7 +66,9 @@ TEST_F(Table, ADamagedOneIsNamedAndBuiltAnew) {
   std::string flipped = array, retold = text;
   flipped[flipped.size() / 2] = static_cast<char>(flipped[flipped.size() / 2] ^ 1);
   retold.insert(retold.find("\"error_max\": ") + 13, "1");
-  const auto damage = [&](const std::string& npy, const std::string& json_text) { put_file(name + ".npy", npy), put_file(name + ".json", json_text); };
+  const auto damage = [&](const std::string& npy, const std::string& json_text) {
+    put_file(name + ".npy", npy), put_file(name + ".json", json_text);
+  };
   const std::vector<std::pair<std::string, std::function<void()>>> damages = {
       {"its checksum does not fit", [&] { damage(flipped, text); }},
       {"its checksum does not fit", [&] { damage(array.substr(0, array.size() - 8), text); }},

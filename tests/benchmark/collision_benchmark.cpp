@@ -86,7 +86,7 @@ void table_lookup(benchmark::State& state, ContactKind kind) {
 }
 
 const int registered = [] {
-  for (const ContactKind& kind : tests::every_kind()) {
+  for (const ContactKind& kind : all_contact_kinds()) {
     const std::string name = tests::kind_name(kind);
     benchmark::RegisterBenchmark(("exact/1e-10/" + name).c_str(), exact_collision, kind, 1e-10)->Unit(benchmark::kMicrosecond);
     benchmark::RegisterBenchmark(("row_lookup/" + name).c_str(), row_lookup, kind);

@@ -27,7 +27,7 @@ int main(int argc, char** argv) {
             true,
             {}};
   int style = 1;
-  for (const ContactKind& kind : tests::every_kind()) {
+  for (const ContactKind& kind : all_contact_kinds()) {
     const double speed = kind.adhesive() ? 3.0 : 1.0;
     const auto reference = resolve_normal_collision<long double>(kind, beta, speed, {.tolerance = 1e-17L});
     for (int i = 24; i <= 52; ++i) {

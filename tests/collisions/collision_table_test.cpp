@@ -18,7 +18,7 @@ class TableOfEveryKind : public testing::TestWithParam<ContactKind> {};
 
 double speed_of(std::mt19937_64& random) { return std::pow(10.0, std::uniform_real_distribution(-1.5, 4.9)(random)); }
 
-/// Points that the builder never saw: its measured error must bound them, and lie below the tolerance asked for.
+/// Points that the builder never saw, by an engine a thousand times finer: their errors lie below the tolerance asked for.
 TEST_P(TableOfEveryKind, HoldsItsToleranceAtRandomPoints) {
   const ContactKind kind = GetParam();
   const CollisionTable table = build_collision_table({kind, 1e-6});
@@ -31,10 +31,10 @@ TEST_P(TableOfEveryKind, HoldsItsToleranceAtRandomPoints) {
     const double beta = damping_ratio(std::uniform_real_distribution(0.0501, 1.0)(random)),
                  speed = kind.adhesive() ? speed_of(random) : 1.0;
     const auto found = table.find(beta, speed);
-    const TableOutcome exact = exact_table_outcome(kind, beta, speed, 1e-11);
+    const TableOutcome exact = exact_table_outcome(kind, beta, speed, 1e-13);
     if (!found) {  // only just above the sticking speed, or beyond the end
       const double stick = reduced_sticking_speed<double>(kind, beta);
-      EXPECT_LT(std::abs(speed * speed - stick * stick), 1.001e-4);
+      EXPECT_LT(std::abs(speed * speed - stick * stick), 1.001e-4 * (1 + stick * stick));
       continue;
     }
     ASSERT_EQ(found->stuck, exact.stuck) << beta << ' ' << speed;
@@ -54,7 +54,7 @@ TEST_P(TableOfEveryKind, IsCoarserForACoarserTolerance) {
   EXPECT_LT(coarse.nodes().size(), build_collision_table({GetParam(), 1e-6}).nodes().size());
 }
 
-INSTANTIATE_TEST_SUITE_P(Kinds, TableOfEveryKind, testing::ValuesIn(tests::every_kind()),
+INSTANTIATE_TEST_SUITE_P(Kinds, TableOfEveryKind, testing::ValuesIn(all_contact_kinds()),
                          [](const auto& test) { return tests::kind_name(test.param); });
 
 TEST(CollisionTable, HasTheSameBitsForAnyNumberOfThreads) {
@@ -90,8 +90,8 @@ TEST(CollisionTable, ReachesNoFurtherThanItsBounds) {
   const double beta = damping_ratio(0.9), stick = table.row(beta)->sticking_speed();
   EXPECT_TRUE(table.find(beta, 0.9 * stick)->stuck);
   EXPECT_FALSE(table.find(beta, stick).has_value());
-  EXPECT_FALSE(table.find(beta, std::sqrt(stick * stick + 0.99e-4)).has_value());
-  EXPECT_TRUE(table.find(beta, std::sqrt(stick * stick + 1.01e-4)).has_value());
+  EXPECT_FALSE(table.find(beta, std::sqrt(stick * stick + 0.99e-4 * (1 + stick * stick))).has_value());
+  EXPECT_TRUE(table.find(beta, std::sqrt(stick * stick + 1.01e-4 * (1 + stick * stick))).has_value());
   EXPECT_TRUE(table.find(beta, 0.99e5).has_value());
   EXPECT_FALSE(table.find(beta, 1.01e5).has_value());
   EXPECT_TRUE(table.find(damping_ratio(0.05001), 10).has_value());

@@ -78,7 +78,7 @@ TEST(ResolveCollision, OfAPairThatSticksGivesTheCommonMotion) {
 
 TEST(Trajectory, RunsFromTouchToSeparationWithTheOutcome) {
   const auto [contact, speed] = contact_of(Input{});
-  const PairCollision c = contact.collide(speed, 1e-10);
+  const PairCollision c = contact.collide(speed, 1e-10, true);
   const auto path = contact.trajectory(speed, 1e-10, 400);
   EXPECT_GT(path.size(), 200u);
   EXPECT_LT(path.size(), 900u);

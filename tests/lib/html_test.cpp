@@ -43,7 +43,8 @@ TEST(Html, EscapesEveryText) {
   for (const char* word : {"title", "intro", "heading", "paragraph", "header", "cell", "figure", "caption"}) {
     EXPECT_THAT(page, HasSubstr("&lt;" + std::string(word))) << word;
   }
-  for (const char* word : {"<intro>", "<heading>", "<paragraph>", "<cell>", "<figure>.svg", "<caption>", "a & b"}) EXPECT_THAT(page, Not(HasSubstr(word)));
+  for (const char* word : {"<intro>", "<heading>", "<paragraph>", "<cell>", "<figure>.svg", "<caption>", "a & b"})
+    EXPECT_THAT(page, Not(HasSubstr(word)));
 }
 
 TEST(Html, KeepsTheOrderInWhichThingsWereAdded) {
@@ -51,27 +52,32 @@ TEST(Html, KeepsTheOrderInWhichThingsWereAdded) {
   report.heading("First");
   report.table({"law", "e"}, {{"rps", "kept"}, {"sup", "0.8"}});
   report.paragraph("Then.");
-  EXPECT_THAT(report.text(), HasSubstr("<p>Intro.</p>\n<h2>First</h2>\n<table>\n<tr><th>law</th><th>e</th></tr>\n<tr><td>rps</td><td>kept</td></tr>\n<tr><td>sup</td><td>0.8</td></tr>\n</table>\n<p>Then.</p>\n"));
+  const std::string table =
+      "<table>\n<tr><th>law</th><th>e</th></tr>\n<tr><td>rps</td><td>kept</td></tr>\n<tr><td>sup</td><td>0.8</td></tr>\n</table>\n";
+  EXPECT_THAT(report.text(), HasSubstr("<p>Intro.</p>\n<h2>First</h2>\n" + table + "<p>Then.</p>\n"));
 }
 
 TEST(Html, SaysWhichFigureIsMissing) {
   const tests::TemporaryFolder folder;
   HtmlReport report("Laws", "Intro.");
   report.figure(folder / "restitution.svg", "Restitution over speed.");
-  EXPECT_THAT(report.text(), HasSubstr("<figure><p>(restitution.svg was not drawn: gnuplot is missing or failed; its script is kept beside the data.)</p>"
-                                       "<figcaption>Restitution over speed.</figcaption></figure>"));
+  const std::string sentence = "(restitution.svg was not drawn: gnuplot is missing or failed; its script is kept beside the data.)";
+  EXPECT_THAT(report.text(), HasSubstr("<figure><p>" + sentence + "</p><figcaption>Restitution over speed.</figcaption></figure>"));
 }
 
 TEST(Html, PutsDrawingsInWithNamesThatDiffer) {
   const tests::TemporaryFolder folder;
-  tests::put_file(folder / "a.svg", "<?xml version=\"1.0\"?>\n<svg><path id='gp1' clip-path='url(#gp1)'/><use xlink:href='#gp1'/><g id=\"other\"/></svg>");
+  tests::put_file(folder / "a.svg",
+                  "<?xml version=\"1.0\"?>\n<svg><path id='gp1' clip-path='url(#gp1)'/><use xlink:href='#gp1'/><g id=\"other\"/></svg>");
   HtmlReport report("Laws", "Intro.");
   report.figure(folder / "a.svg", "One.");
   report.figure(folder / "a.svg", "Two.");
   const std::string page = report.text();
   EXPECT_THAT(page, Not(HasSubstr("<?xml")));
-  EXPECT_THAT(page, HasSubstr("<figure><svg><path id='f1gp1' clip-path='url(#f1gp1)'/><use xlink:href='#f1gp1'/><g id=\"f1other\"/></svg><figcaption>One."));
-  EXPECT_THAT(page, HasSubstr("<figure><svg><path id='f2gp1' clip-path='url(#f2gp1)'/><use xlink:href='#f2gp1'/><g id=\"f2other\"/></svg><figcaption>Two."));
+  EXPECT_THAT(page, HasSubstr("<figure><svg><path id='f1gp1' clip-path='url(#f1gp1)'/><use xlink:href='#f1gp1'/><g "
+                              "id=\"f1other\"/></svg><figcaption>One."));
+  EXPECT_THAT(page, HasSubstr("<figure><svg><path id='f2gp1' clip-path='url(#f2gp1)'/><use xlink:href='#f2gp1'/><g "
+                              "id=\"f2other\"/></svg><figcaption>Two."));
 }
 
 }  // namespace

@@ -77,12 +77,19 @@ std::string repeated(const std::string& part, std::size_t count) {
   return all;
 }
 
+std::vector<std::string> words_of(const std::string& text) {
+  std::vector<std::string> words = {""};
+  for (const char c : text) c == '|' ? words.emplace_back() : words.back().append(1, c);
+  return words;
+}
+
 /// A value of any kind: odd numbers, words, arrays, deep brackets, things that are no value.
 std::string odd_value(Random& random) {
-  constexpr const char* odd[] = {"nan",    "inf",     "-inf",  "-0.0",  "0",      "1",     "1.0000000000000002",  "-1",      "1e308",   "1e999",      "-1e-320",    "4.9e-324", "99999999999999999999999",
-                                 "0x1f",   "1_000",   "1e-9",  "1e-13", "0.5",    "2",     "1e3",                 "1e14",    "100",     "0.1",        "true",       "false",    "\"\"",
-                                 "\"rps\"", "\"wall\"", "\"hertz\"", "\"linear\"", "\"none\"", "\"glass\"", "\"latex\"", "\"\\u0000\"", "'''x'''", "1979-05-27", "07:32:00", "[]", "[[]]",
-                                 "[1e-3]", "[1e-3, 2e-3]", "[0, 0, 1]", "[nan, 1]", "[1, \"a\"]", "[true]", "[\"rps\", \"sup\"]", "{}", "{a = 1}", "velvet", "", "=", "\"open", "[1, 2", "\xff\xfe", "\"\xc3\x28\""};
+  static const std::vector<std::string> odd = words_of(
+      "nan|inf|-inf|-0.0|0|1|1.0000000000000002|-1|1e308|1e999|-1e-320|4.9e-324|99999999999999999999999|0x1f|1_000|1e-9|1e-13|0.5|2|1e3|"
+      "1e14|100|0.1|true|false|\"\"|\"rps\"|\"wall\"|\"hertz\"|\"linear\"|\"none\"|\"glass\"|\"latex\"|\"\\u0000\"|'''x'''|1979-05-27|"
+      "07:32:00|[]|[[]]|[1e-3]|[1e-3, 2e-3]|[0, 0, 1]|[nan, 1]|[1, \"a\"]|[true]|[\"rps\", \"sup\"]|{}|{a = 1}|velvet||=|\"open|[1, 2|"
+      "\xff\xfe|\"\xc3\x28\"");
   const std::size_t depth = 1 + below(random, 600);
   switch (below(random, 12)) {
     case 0: return fmt::format("{}", std::ldexp(static_cast<double>(random()), static_cast<int>(below(random, 200)) - 160));
@@ -113,7 +120,8 @@ void swap_values(std::string& text, Random& random) {
   const auto spans = values_of(text);
   if (spans.size() < 2) return;
   const std::size_t i = below(random, spans.size() - 1), j = i + 1 + below(random, spans.size() - 1 - i);
-  const std::string first = text.substr(spans[i].begin, spans[i].end - spans[i].begin), second = text.substr(spans[j].begin, spans[j].end - spans[j].begin);
+  const std::string first = text.substr(spans[i].begin, spans[i].end - spans[i].begin),
+                    second = text.substr(spans[j].begin, spans[j].end - spans[j].begin);
   text.replace(spans[j].begin, second.size(), first);  // the later one first, so that the earlier one stays in place
   text.replace(spans[i].begin, first.size(), second);
 }
@@ -134,7 +142,8 @@ void rescale_number(std::string& text, Random& random) {
   char* end = nullptr;
   const double number = std::strtod(old.c_str(), &end);
   if (end == old.c_str()) return;
-  text.replace(span.begin, static_cast<std::size_t>(end - old.c_str()), fmt::format("{}", number * std::pow(10.0, static_cast<double>(below(random, 8001)) / 1000 - 4)));
+  text.replace(span.begin, static_cast<std::size_t>(end - old.c_str()),
+               fmt::format("{}", number * std::pow(10.0, static_cast<double>(below(random, 8001)) / 1000 - 4)));
 }
 
 /// The lines, one of them gone, doubled or elsewhere.
@@ -148,9 +157,13 @@ void move_line(std::string& text, Random& random) {
 }
 
 void insert_odd(std::string& text, Random& random) {
-  constexpr const char* odd[] = {"\xff", "\xc0\x80", "\xed\xa0\x80", "\xf4\x90\x80\x80", "\xef\xbb\xbf", "[[body]]\n", "\n[body]\n", "\n[", "]", "\"", "\"\"\"", "\n= 1\n", "\r", "\x7f", "#", ".", "\\"};
+  constexpr const char* odd[] = {"\xff", "\xc0\x80", "\xed\xa0\x80", "\xf4\x90\x80\x80", "\xef\xbb\xbf", "[[body]]\n", "\n[body]\n", "\n[",
+                                 "]",    "\"",       "\"\"\"",       "\n= 1\n",          "\r",           "\x7f",       "#",          ".",
+                                 "\\"};
   const std::size_t depth = 1 + below(random, 400);
-  const std::string part = below(random, 6) == 0 ? "\n" + repeated("a.", depth) + "a = 1\n" : below(random, 6) == 0 ? std::string(1, '\0') : std::string(any_of(random, odd));
+  const std::string part = below(random, 6) == 0   ? "\n" + repeated("a.", depth) + "a = 1\n"
+                           : below(random, 6) == 0 ? std::string(1, '\0')
+                                                   : std::string(any_of(random, odd));
   text.insert(below(random, text.size() + 1), part);
 }
 
@@ -182,7 +195,8 @@ std::string mutant(std::string text, Random& random, const std::vector<std::stri
 /// Settings that each put one odd value on a key that exists.
 std::vector<std::string> odd_settings(Random& random) {
   std::vector<std::string> settings;
-  for (std::size_t count = below(random, 4); count > 0; --count) settings.push_back(any_of(random, keys()).dotted() + "=" + odd_value(random));
+  for (std::size_t count = below(random, 4); count > 0; --count)
+    settings.push_back(any_of(random, keys()).dotted() + "=" + odd_value(random));
   return settings;
 }
 
@@ -192,7 +206,8 @@ testing::AssertionResult in_bounds(const Input& input, const Key& key) {
   if (const auto* number = std::get_if<double>(&value)) numbers = {*number};
   if (const auto* array = std::get_if<std::vector<double>>(&value)) numbers = *array;
   for (const double number : numbers) {
-    if (!std::isfinite(number) || !bounds_of(key.dotted()).contain(number)) return testing::AssertionFailure() << key.dotted() << " = " << number;
+    if (!std::isfinite(number) || !bounds_of(key.dotted()).contain(number))
+      return testing::AssertionFailure() << key.dotted() << " = " << number;
   }
   return testing::AssertionSuccess();
 }

@@ -12,9 +12,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-bool is_numeric(const Value& value) {
-  return std::holds_alternative<double>(value) || std::holds_alternative<std::vector<double>>(value);
-}
+bool is_numeric(const Value& value) { return std::holds_alternative<double>(value) || std::holds_alternative<std::vector<double>>(value); }
 
 std::vector<double> numbers_in(const Value& value) {
   if (const auto* number = std::get_if<double>(&value)) return {*number};

@@ -40,7 +40,9 @@ void put_gnuplot(const TemporaryFolder& folder, const std::string& script) {
   fs::permissions(folder / "gnuplot", fs::perms::owner_all);
 }
 
-void put_data(const TemporaryFolder& folder) { tests::put_file(folder / "data.csv", "speed [m/s],a [-],b [-]\n0.1,0.5,0.4\n0.5,0.7,0.6\n1,0.8,0.7\n"); }
+void put_data(const TemporaryFolder& folder) {
+  tests::put_file(folder / "data.csv", "speed [m/s],a [-],b [-]\n0.1,0.5,0.4\n0.5,0.7,0.6\n1,0.8,0.7\n");
+}
 
 bool gnuplot_is_there() { return std::system("gnuplot --version >/dev/null 2>&1") == 0; }
 
@@ -70,9 +72,7 @@ TEST(Plot, ScriptDrawsMarksAndOnlyTheRowsAskedFor) {
   EXPECT_THAT(script_of(plot), HasSubstr("'data.csv' using 1:($1 > 0.2 ? (($3/$2)) : NaN) with points"));
 }
 
-TEST(Plot, UnderscoresInTheLegendAreNoIndices) {
-  EXPECT_THAT(script_of(example()), HasSubstr(R"('overlap\_kept, 2')"));
-}
+TEST(Plot, UnderscoresInTheLegendAreNoIndices) { EXPECT_THAT(script_of(example()), HasSubstr(R"('overlap\_kept, 2')")); }
 
 TEST(Plot, WithoutGnuplotTheScriptIsKept) {
   const TemporaryFolder folder, empty;
@@ -109,7 +109,8 @@ TEST(Plot, GnuplotDrawsSvgAndPng) {
   ASSERT_TRUE(draw(example(), folder.path()));
   const std::string svg = content_of(folder / "restitution.svg");
   EXPECT_THAT(svg, HasSubstr("<svg"));
-  for (const char* text : {"Restitution", "impact speed [m/s]", "restitution [-]", "original", "overlap_kept, 2"}) EXPECT_THAT(svg, HasSubstr(text));
+  for (const char* text : {"Restitution", "impact speed [m/s]", "restitution [-]", "original", "overlap_kept, 2"})
+    EXPECT_THAT(svg, HasSubstr(text));
   EXPECT_THAT(content_of(folder / "restitution.png"), testing::StartsWith("\x89PNG"));
   EXPECT_FALSE(fs::exists(folder / "restitution.log"));
 }

@@ -22,8 +22,8 @@ TEST(Value, NumbersAreWrittenInTheFewestDigits) {
 }
 
 TEST(Value, NumbersReadBackToTheSameBits) {
-  const std::vector<double> edges = {0.0,         1.0 / 3,  0.1 + 0.2, DBL_MIN,  DBL_MAX,           DBL_TRUE_MIN, 1e15,
-                                     123456789e7, 1e16 - 2, 1e16,      -1e17,    9007199254740993., 4.9e-324,     1e22};
+  const std::vector<double> edges = {0.0,         1.0 / 3,  0.1 + 0.2, DBL_MIN, DBL_MAX,           DBL_TRUE_MIN, 1e15,
+                                     123456789e7, 1e16 - 2, 1e16,      -1e17,   9007199254740993., 4.9e-324,     1e22};
   for (const double number : edges) EXPECT_EQ(read_back(number), Value(number)) << number;
   std::mt19937_64 random(20240501);
   for (int i = 0; i < 5000; ++i) {
@@ -47,8 +47,8 @@ TEST(Value, FlagsAndArraysReadBack) {
   EXPECT_EQ(to_toml(std::vector<std::string>{"rps", "sup"}), "[\"rps\", \"sup\"]");
   EXPECT_EQ(to_toml(std::vector<double>{}), "[]");
   EXPECT_EQ(to_toml(std::vector<std::string>{}), "[]");
-  for (const Value& value : {Value(true), Value(std::vector<double>{1, 0.1}), Value(std::vector<std::string>{"a", "b\""}),
-                             Value(std::vector<double>{})}) {
+  for (const Value& value :
+       {Value(true), Value(std::vector<double>{1, 0.1}), Value(std::vector<std::string>{"a", "b\""}), Value(std::vector<double>{})}) {
     EXPECT_EQ(read_back(value), value) << to_toml(value);
   }
 }

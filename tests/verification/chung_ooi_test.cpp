@@ -13,7 +13,7 @@ Material material(double young, double poisson, double density, double restituti
 }
 
 PairCollision collide(const Bodies& bodies, double speed) {
-  return ScaledContact(canonical({.normal = NormalModel::hertz}), bodies, *find_scaling_law("none"), 1).collide(speed, 1e-10);
+  return ScaledContact(canonical({.normal = NormalModel::hertz}), bodies, *find_scaling_law("none"), 1).collide(speed, 1e-10, true);
 }
 
 TEST(ChungOoi, Test1TwoEqualSpheres) {

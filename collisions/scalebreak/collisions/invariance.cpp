@@ -104,12 +104,14 @@ InvarianceStudy run_invariance(const Input& input, int threads, const std::funct
     std::vector<InvarianceRecord> records;
     double reduced_change = 0;
     bool exact = false;
+    int deep = 0;
   };
   std::vector<Result> results(cells.size());
   std::atomic<std::size_t> done = 0;
   parallel_for(cells.size(), threads, [&](std::size_t c) {
     const ScaledContact scaled(input.contact, input.colliding(), *cells[c].law, cells[c].factor);
     const auto stick = scaled.sticking_speed(input.tolerance);
+    const double radius = scaled_bodies(*cells[c].law, cells[c].factor, input.colliding()).pair().radius;
     Result& result = results[c];
     result.exact = same_reduced_numbers(original, scaled);
     if (study.sticking_speed && *study.sticking_speed > 0 && stick && *stick > 0) {
@@ -131,6 +133,7 @@ InvarianceStudy run_invariance(const Input& input, int threads, const std::funct
                               {}};
       if (collision.contact_time && reference[i].contact_time)
         record.contact_time_ratio = *collision.contact_time / *reference[i].contact_time;
+      result.deep += collision.max_overlap > deep_overlap * radius;
       record.max_overlap_ratio = collision.max_overlap / reference[i].max_overlap;
       if (stick && *study.sticking_speed > 0) record.sticking_speed_ratio = *stick / *study.sticking_speed;
       if (result.exact) record.contact_time_ratio_predicted = time_scale(scaled, speed) / time_scale(original, speed);
@@ -144,6 +147,7 @@ InvarianceStudy run_invariance(const Input& input, int threads, const std::funct
     LawSummary summary{.law = std::string(cells[c].law->name), .softer = cells[c].factor < 1, .exact = true};
     std::vector<InvarianceRecord> records;
     for (; c < cells.size() && cells[c].law->name == summary.law && (cells[c].factor < 1) == summary.softer; ++c) {
+      study.deep += results[c].deep;
       summary.exact = summary.exact && results[c].exact;
       summary.reduced_restitution_change = std::max(summary.reduced_restitution_change, results[c].reduced_change);
       records.insert(records.end(), results[c].records.begin(), results[c].records.end());

@@ -49,6 +49,7 @@ struct InvarianceStudy {
   std::vector<InvarianceRecord> records;
   std::vector<LawSummary> summaries;
   int skipped = 0;  ///< (law, factor) pairs that do not suit each other
+  int deep = 0;     ///< collisions with more overlap than deep_overlap
 };
 
 /// Impact speeds about the sticking speed (0.5 to 100 times), or 0.001 to 10 m/s without adhesion.

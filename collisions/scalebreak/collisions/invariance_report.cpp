@@ -30,13 +30,14 @@ CsvCell exponent(const Trend& trend) { return trend.exists ? CsvCell(trend.expon
 CsvCell exponent_error(const Trend& trend) { return trend.exists ? CsvCell(trend.exponent_error) : CsvCell(); }
 
 std::string summary_csv(const InvarianceStudy& study) {
-  Csv csv({"law", "exact", "restitution_change_max [-]", "verdict_changes", "restitution_change_at_equal_v_over_v_stick [-]",
+  Csv csv({"law", "factors", "exact", "restitution_change_max [-]", "verdict_changes", "restitution_change_at_equal_v_over_v_stick [-]",
            "sticking_speed_exponent [-]", "sticking_speed_exponent_error [-]", "contact_time_exponent [-]",
            "contact_time_exponent_error [-]", "max_overlap_exponent [-]", "max_overlap_exponent_error [-]"});
   for (const LawSummary& s : study.summaries) {
-    csv.add({s.law, std::string(s.exact ? "true" : "false"), s.restitution_change, static_cast<double>(s.verdict_changes),
-             s.reduced_restitution_change, exponent(s.sticking_speed), exponent_error(s.sticking_speed), exponent(s.contact_time),
-             exponent_error(s.contact_time), exponent(s.max_overlap), exponent_error(s.max_overlap)});
+    csv.add({s.law, std::string(s.softer ? "below 1" : "1 and above"), std::string(s.exact ? "true" : "false"), s.restitution_change,
+             static_cast<double>(s.verdict_changes), s.reduced_restitution_change, exponent(s.sticking_speed),
+             exponent_error(s.sticking_speed), exponent(s.contact_time), exponent_error(s.contact_time), exponent(s.max_overlap),
+             exponent_error(s.max_overlap)});
   }
   return csv.text();
 }

@@ -21,6 +21,8 @@ template <class T>
 struct Resolver {
   const CollisionOptions<T>& options;
   bool creeps;
+  bool undamped;
+  T step_tolerance;
   WorkUnits<T> units{};
   NormalOutcome<T> outcome{};
 
@@ -37,8 +39,7 @@ struct Resolver {
   /// Follows one stretch of the contact; returns how it ended and its last state.
   template <class Motion>
   std::pair<End, typename Motion::State> follow(const Motion& motion, const typename Motion::State& start, T end, T barrier) {
-    // The error of a step is held to half the tolerance: room for the sum over the steps.
-    contact_path::Path<T, Motion> path(motion, start, options.tolerance / 2, options.max_step, creeps);
+    contact_path::Path<T, Motion> path(motion, start, step_tolerance, options.max_step, creeps);
     const auto ended = path.follow(end, barrier, options.find_max_force, observer(path, motion));
     outcome.steps += path.steps();
     outcome.max_force = std::max(outcome.max_force, path.max_force() * units.force);
@@ -49,11 +50,13 @@ struct Resolver {
     return {ended, path.state()};
   }
 
-  void finish(bool separated, T incoming, T outgoing, T time, T residue) {
-    outcome.stuck = !separated;
+  /// `residue` as the path has it; where nothing damps the energy balance knows it better.
+  void finish(T incoming, T time, T residue, T barrier) {
+    if (undamped) residue = incoming * incoming / 2 - barrier;
+    outcome.stuck = residue < 0 || creeps;
     outcome.energy_residue = residue * units.speed() * units.speed();
-    if (!separated) return;
-    outcome.restitution = std::abs(outgoing) / incoming;
+    if (outcome.stuck) return;
+    outcome.restitution = std::sqrt(2 * residue) / incoming;
     outcome.contact_time = time * units.time;
   }
 
@@ -64,8 +67,7 @@ struct Resolver {
     const T barrier = law.energy(law.separation());
     const auto [ended, y] = follow(motion, {law.touch(), speed, T(0)}, law.separation(), barrier);
     const T energy = y[1] * y[1] / 2;
-    const bool separated = ended == End::separated;
-    finish(separated, speed, y[1], y[2], separated ? energy : energy + law.energy(y[0]) - barrier);
+    finish(speed, y[2], ended == End::separated ? energy : below(energy + law.energy(y[0]) - barrier), barrier);
   }
 
   /// JKR with its dashpot on the overlap: damped in w = δ^{1/4} down to zero overlap, free below it.
@@ -74,14 +76,17 @@ struct Resolver {
     const T barrier = law.energy(law.separation());
     const auto [ended, y] = follow(motion, {T(0), speed, T(0), law.touch()}, T(0), barrier);
     const T energy = y[1] * y[1] / 2;
-    if (ended != End::separated) return finish(false, speed, T(0), T(0), energy + law.energy(y[3]) - barrier);
+    if (ended != End::separated) return finish(speed, y[2], below(energy + law.energy(y[3]) - barrier), barrier);
     const T residue = energy - barrier;
-    if (law.range == AdhesionRange::touch || residue < 0) return finish(residue >= 0, speed, y[1], y[2], residue);
+    if (law.range == AdhesionRange::touch || residue < 0) return finish(speed, y[2], residue, barrier);
     const Jkr<T> free{law.curvature, law.adhesive_overlap, law.stiffness, law.adhesive_force, T(0), law.range};
     const contact_path::RegularMotion<T, Jkr<T>> free_motion{free};
     const auto [parted, z] = follow(free_motion, {law.touch(), y[1], y[2]}, law.separation(), barrier);
-    finish(parted == End::separated, speed, z[1], z[2], residue);
+    finish(speed, z[2], residue, barrier);
   }
+
+  /// A pair that turned back lacks energy, by rounding at least.
+  static T below(T residue) { return std::min(residue, -std::numeric_limits<T>::min()); }
 
   void resolve_jkr(const ContactKind& kind, T beta, T reduced_speed) {
     // Slow impacts in the units of the adhesion, fast ones in those of the impact: all numbers stay near 1.
@@ -108,11 +113,20 @@ NormalOutcome<T> resolve_normal_collision(const ContactKind& kind, T damping_rat
     throw WorkError(fmt::format("a collision needs a positive speed and a damping ratio of at least 0, found {} and {}",
                                 static_cast<double>(reduced_speed), static_cast<double>(damping_ratio)));
   }
-  Resolver<T> resolver{options, damping_ratio >= 1};
+  // The error of a step is held to half the tolerance, to leave room for the sum over the steps. What a slow pair has left at
+  // separation is the small difference of energies of order 1: they must be as much better.
+  constexpr T finest = 4 * std::numeric_limits<T>::epsilon();
+  const T slow = kind.adhesive() ? std::min(T(1), reduced_speed * reduced_speed) : T(1);
+  Resolver<T> resolver{options, damping_ratio >= 1, damping_ratio == 0, std::max(finest, options.tolerance / 2 * slow)};
   switch (kind.normal) {
     case NormalModel::linear: resolver.resolve_smooth(reduced_linear(damping_ratio), T(1)); break;
     case NormalModel::hertz: resolver.resolve_smooth(reduced_hertz(damping_ratio), T(1)); break;
     case NormalModel::jkr: resolver.resolve_jkr(kind, damping_ratio, reduced_speed); break;
+  }
+  if (!resolver.outcome.stuck && damping_ratio > 0 && slow < 1e-9) {
+    throw WorkError(fmt::format(
+        "a contact of damping ratio {:g} parts again at a reduced speed of {:g}, so slow that rounding, not its dashpot, decides the restitution",
+        static_cast<double>(damping_ratio), static_cast<double>(reduced_speed)));
   }
   return resolver.outcome;
 }
@@ -128,19 +142,19 @@ T reduced_sticking_speed(const ContactKind& kind, T damping_ratio, T tolerance) 
   const auto law = reduced_jkr<T, DampingOn::contact_radius>(T(0), kind.range);
   const T undamped = std::sqrt(2 * law.energy(law.separation()));
   if (damping_ratio == 0) return undamped;
-  T low = undamped > 0 ? undamped : std::sqrt(damping_ratio) / 64;
-  T at_low = residue(low);
-  while (at_low > 0) at_low = residue(low /= 4);
-  T high = 2 * low;
-  T at_high = residue(high);
-  while (at_high < 0) {
-    low = high, at_low = at_high;
-    at_high = residue(high *= 2);
-  }
+  // A contact that ends at touch loses a fixed share of β in the slowest collisions: v_s ∝ √β, from where rounding is small.
+  constexpr T least = T(1e-7);
+  if (undamped == 0 && damping_ratio < least) return std::sqrt(damping_ratio / least) * reduced_sticking_speed(kind, least, tolerance);
+  // In the squared speed the residue is nearly a line.
+  const auto of_square = [&](T square) { return residue(std::sqrt(square)); };
+  T low = undamped > 0 ? undamped * undamped : damping_ratio, high = low;
+  T at_low = of_square(low), at_high = at_low;
+  while (at_low > 0) high = low, at_high = at_low, at_low = of_square(low /= 2);
+  while (at_high < 0) low = high, at_low = at_high, at_high = of_square(high *= 2);
   std::uintmax_t iterations = 100;
   const auto close = [&](T a, T b) { return std::abs(a - b) <= tolerance * std::abs(b); };
-  const auto [left, right] = boost::math::tools::toms748_solve(residue, low, high, at_low, at_high, close, iterations);
-  return (left + right) / 2;
+  const auto [left, right] = boost::math::tools::toms748_solve(of_square, low, high, at_low, at_high, close, iterations);
+  return std::sqrt((left + right) / 2);
 }
 
 template NormalOutcome<double> resolve_normal_collision(const ContactKind&, double, double, const CollisionOptions<double>&);

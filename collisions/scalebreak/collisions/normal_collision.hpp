@@ -20,7 +20,7 @@ struct ContactSample {
 /// How a collision is resolved.
 template <class T>
 struct CollisionOptions {
-  T tolerance = T(1e-8);                                       ///< of the restitution and the relative contact time, 1e-13 to 1e-6
+  T tolerance = T(1e-8);                                       ///< of e² and the relative contact time, 1e-13 to 1e-6
   bool find_max_force = false;                                 ///< costs a search along the path
   T max_step = 0;                                              ///< bound on a step, as a fraction of about one contact; 0: none
   std::function<void(const ContactSample<T>&)> observer = {};  ///< called at first touch, every step and the end
@@ -51,7 +51,8 @@ template <class T>
                                                         const CollisionOptions<T>& options = {});
 
 /// The reduced speed below which the pair sticks: the root of the energy residue, 0 where nothing can stick (no
-/// adhesion, or an undamped contact that ends at touch), infinite where everything does (adhesion and β ≥ 1).
+/// adhesion, or an undamped contact that ends at touch), infinite where everything does (adhesion and β ≥ 1). To the
+/// tolerance, and to 1e-6 for contacts that end at touch with β < 1e-6.
 template <class T>
 [[nodiscard]] T reduced_sticking_speed(const ContactKind& kind, T damping_ratio, T tolerance = T(1e-12));
 

@@ -20,10 +20,6 @@ struct Start {
 Start start_of(const Input& input, const ScalingLaw& law) {
   Start start{input.colliding(), input.normal_speed, {}, {}};
   const double factor = input.scaling_factor, size = size_factor(law, factor);
-  if (!input.bodies.empty()) {
-    start.original.second = start.original.first;
-    start.original.radius = {input.bodies[0].radius, input.bodies[1].radius};
-  }
   const Bodies scaled = scaled_bodies(law, factor, start.original);
   start.mass = {sphere_mass(scaled.radius[0], scaled.first.density)};
   start.mass.push_back(scaled.against_wall() ? INFINITY : sphere_mass(scaled.radius[1], scaled.second.density));
@@ -50,7 +46,7 @@ double kinetic_energy(const Start& start, const std::vector<BodyState>& bodies) 
 }
 
 /// Momentum and restitution give the velocities; the centre of mass moves on meanwhile, and the bodies part at the distance
-/// at which the contact ended. A pair that stuck is left at its equilibrium distance, here first touch.
+/// at which the contact ended; a pair that sticks is left at first touch, in its common motion.
 std::vector<BodyState> after(const Start& start, const PairCollision& collision, double distance) {
   std::vector<BodyState> bodies = start.bodies;
   const Eigen::Vector3d normal = (bodies[0].position - bodies[1].position).normalized();
@@ -87,10 +83,10 @@ std::optional<double> ScaledContact::sticking_speed(double tolerance) const {
   return std::isfinite(stick) ? std::optional(stick) : std::nullopt;
 }
 
-PairCollision ScaledContact::collide(double speed, double tolerance) const {
+PairCollision ScaledContact::collide(double speed, double tolerance, bool find_max_force) const {
   const ReducedCollision problem = reduced(speed);
-  const auto outcome =
-      resolve_normal_collision<double>(kind_, problem.damping_ratio, problem.speed, {.tolerance = tolerance, .find_max_force = true});
+  const auto outcome = resolve_normal_collision<double>(kind_, problem.damping_ratio, problem.speed,
+                                                        {.tolerance = tolerance, .find_max_force = find_max_force});
   PairCollision collision{.kind = kind_, .stuck = outcome.stuck, .restitution = outcome.restitution};
   if (!outcome.stuck) collision.contact_time = outcome.contact_time * problem.scales.time * scaled_.time;
   collision.max_overlap = outcome.max_overlap * problem.scales.overlap * scaled_.overlap;
@@ -125,9 +121,10 @@ CollisionResult resolve_collision(const Input& input) {
   const ScalingLaw& law = *find_scaling_law(input.scaling_law);
   const Start start = start_of(input, law);
   const ScaledContact contact(input.contact, start.original, law, input.scaling_factor);
-  CollisionResult result{.collision = contact.collide(start.speed, input.tolerance), .speed = start.speed};
+  CollisionResult result{.collision = contact.collide(start.speed, input.tolerance, true), .speed = start.speed};
   result.collision.sticking_speed = contact.sticking_speed(input.tolerance);
   const Bodies scaled = scaled_bodies(law, input.scaling_factor, start.original);
+  result.deep = result.collision.max_overlap > deep_overlap * scaled.pair().radius;
   double distance = scaled.radius[0] + (scaled.against_wall() ? 0.0 : scaled.radius[1]);
   if (!result.collision.stuck)
     distance -= end_overlap(contact.kind()) * contact.reduced(start.speed).scales.overlap * contact.scaled().overlap;

@@ -13,6 +13,9 @@
 
 namespace scalebreak {
 
+/// Overlap over R* beyond which the laws of small overlaps are out of their range.
+inline constexpr double deep_overlap = 0.1;
+
 /// A head-on collision of a scaled system, SI.
 struct PairCollision {
   ContactKind kind;  ///< as it was modelled
@@ -45,8 +48,8 @@ class ScaledContact {
   /// Of the pair, by the exact engine [m/s]: none without adhesion, nor where a mapped dashpot makes every collision stick.
   [[nodiscard]] std::optional<double> sticking_speed(double tolerance) const;
   /// The exact collision at an impact speed [m/s], without its sticking speed.
-  [[nodiscard]] PairCollision collide(double speed, double tolerance) const;
-  /// About `points` evenly spaced instants of the contact, by the exact engine.
+  [[nodiscard]] PairCollision collide(double speed, double tolerance, bool find_max_force = false) const;
+  /// About `points` instants of the contact, by the exact engine, evenly spaced in its regular parameter s (docs/theory.md).
   [[nodiscard]] std::vector<TrajectoryPoint> trajectory(double speed, double tolerance, int points) const;
 
  private:
@@ -63,6 +66,7 @@ struct BodyState {
 struct CollisionResult {
   PairCollision collision;
   double speed = 0;                            ///< of impact [m/s]
+  bool deep = false;                           ///< the largest overlap exceeds deep_overlap · R*
   std::vector<BodyState> bodies;               ///< at separation; two, or the sphere and the wall
   double energy_before = 0, energy_after = 0;  ///< kinetic [J]
 };

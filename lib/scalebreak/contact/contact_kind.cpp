@@ -31,6 +31,14 @@ ContactKind canonical(ContactKind kind) {
   return {kind.normal, AdhesionRange::touch, DampingOn::overlap};
 }
 
+std::vector<ContactKind> all_contact_kinds() {
+  std::vector<ContactKind> kinds = {canonical({.normal = NormalModel::linear}), canonical({.normal = NormalModel::hertz})};
+  for (const auto range : {AdhesionRange::full, AdhesionRange::pull_off, AdhesionRange::touch}) {
+    for (const auto damping : {DampingOn::overlap, DampingOn::contact_radius}) kinds.push_back({NormalModel::jkr, range, damping});
+  }
+  return kinds;
+}
+
 ContactKind effective_kind(const ContactKind& kind, double surface_energy) {
   if (kind.adhesive() && surface_energy == 0) return canonical({.normal = NormalModel::hertz});
   return canonical(kind);

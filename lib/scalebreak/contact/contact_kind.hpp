@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace scalebreak {
 
@@ -35,6 +36,9 @@ struct ContactKind {
 /// The same physics under one name: only JKR has a range and a choice of dashpot. Linear and Hertz
 /// contacts end at zero overlap, and a Hertz contact has a = √(R* δ), so that both dashpots are one.
 [[nodiscard]] ContactKind canonical(ContactKind kind);
+
+/// Every kind, once.
+[[nodiscard]] std::vector<ContactKind> all_contact_kinds();
 
 /// The kind that a pair of this surface energy really has: JKR without surface energy is Hertz.
 [[nodiscard]] ContactKind effective_kind(const ContactKind& kind, double surface_energy);

@@ -24,7 +24,7 @@ NormalPair sphere_pair(const Material& first, double radius1, const Material& se
           .young = 1 / (compliance(first) + compliance(second)),
           .surface_energy = (first.surface_energy + second.surface_energy) / 2,
           .spring_constant = in_series(first.spring_constant, second.spring_constant),
-          .damping_ratio = damping_ratio(std::sqrt(first.restitution * second.restitution))};
+          .damping_ratio = damping_ratio(std::sqrt(first.restitution) * std::sqrt(second.restitution))};
 }
 
 NormalPair wall_pair(const Material& sphere, double radius, const Wall& wall) {

@@ -47,7 +47,8 @@ std::string curve_text(const Curve& curve) {
 std::string script(const Plot& plot) {
   std::string text = fmt::format("# gnuplot {}.gp draws {}.svg and {}.png\nset datafile separator ','\nset encoding utf8\n", plot.name,
                                  plot.name, plot.name);
-  text += fmt::format("set title {}\nset xlabel {}\nset ylabel {}\n", plain_text(plot.title), quoted_text(plot.x_label), quoted_text(plot.y_label));
+  text += fmt::format("set title {}\nset xlabel {}\nset ylabel {}\n", plain_text(plot.title), quoted_text(plot.x_label),
+                      quoted_text(plot.y_label));
   if (plot.log_x) text += "set logscale x\nset format x '%h'\n";
   if (plot.log_y) text += "set logscale y\nset format y '%h'\n";
   text += "set xrange [*:*] noextend\nset grid lc rgb '#dddddd'\nset key outside right top Left reverse\n";

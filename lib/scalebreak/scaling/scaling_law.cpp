@@ -70,7 +70,7 @@ std::optional<std::string> refusal(const ScalingLaw& law, double factor, NormalM
     return fmt::format("scaling.law = \"{}\" scales the surface energy alone, which contact.normal = \"{}\" does not use; use \"jkr\"",
                        law.name, to_string(normal));
   }
-  if (law.name == "chen_elliott" && normal == NormalModel::linear) {
+  if (law.young != 0 && law.spring_constant == 0 && normal == NormalModel::linear) {
     return fmt::format(
         "scaling.law = \"{}\" scales Young's modulus, which contact.normal = \"linear\" does not use; use \"hertz\" or \"jkr\"", law.name);
   }

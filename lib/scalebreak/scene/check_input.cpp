@@ -85,11 +85,11 @@ void check_bodies(const Input& input, const Given& given) {
   if (!(speed > 0))
     throw InputError(
         fmt::format("{}body.1 and body.2 do not approach each other, found a closing speed of {:g} m/s; allowed: above 0", where, speed));
-  if ((approach - speed * normal).norm() > 1e-12 * speed) {
+  if ((approach - speed * normal).norm() > head_on_share * speed) {
     throw InputError(
         fmt::format("{}body.1 and body.2 do not meet head-on, and contact.tangential = \"none\" resolves head-on collisions only; found "
-                    "{:g} m/s across the line of centres; allowed: 0",
-                    where, (approach - speed * normal).norm()));
+                    "{:g} m/s across the line of centres; allowed: {:g} of the closing speed",
+                    where, (approach - speed * normal).norm(), head_on_share));
   }
 }
 

@@ -40,7 +40,10 @@ struct Input {
 
   bool operator==(const Input&) const = default;
 
-  [[nodiscard]] Bodies colliding() const { return {material, second, wall, radius}; }
+  /// What meets: the pair, or the two bodies, of [material] and [second].
+  [[nodiscard]] Bodies colliding() const {
+    return {material, second, wall, bodies.empty() ? radius : std::vector{bodies[0].radius, bodies[1].radius}};
+  }
 };
 
 }  // namespace scalebreak

@@ -1,7 +1,6 @@
 #include <scalebreak/scene/input_file.hpp>
 
 #include <algorithm>
-#include <map>
 
 #include <fmt/format.h>
 
@@ -67,8 +66,6 @@ void apply(const Key& key, Input& input, const Assignment& given) {
     key.set(input, given.value);
   } catch (const std::string& found) {
     throw InputError(fmt::format("{}: {}: {}; allowed: {}", given.where.text, given.key, found, key.allowed));
-  } catch (const std::bad_function_call&) {
-    throw WorkError(fmt::format("the key {} has no place to go", given.key));
   }
 }
 

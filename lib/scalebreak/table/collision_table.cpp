@@ -20,13 +20,6 @@ const Jkr<double>& unit_jkr() {
   return law;
 }
 
-inline SmoothNode along_speed(const SmoothNode* row, const Stencil& stencil) {
-  const SmoothNode* node = row + stencil.begin;
-  SmoothNode sum = stencil.weight[0] * node[0];
-  for (std::size_t i = 1; i < Stencil::width; ++i) sum += stencil.weight[i] * node[i];
-  return sum;
-}
-
 /// From what is interpolated back to the outcome, with adhesion.
 inline TableOutcome outcome(const SmoothNode& node, double speed, double excess, double coordinate) {
   return {.stuck = false,
@@ -83,12 +76,7 @@ SmoothNode CollisionTable::smooth(const TableNode& node, double coordinate) cons
 
 double CollisionTable::sticking_squared(double coordinate) const {
   if (!key_.kind.adhesive()) return 0;
-  const Stencil stencil(sticking_.axis, coordinate);
-  double sum = 0;
-  for (int i = 0; i < Stencil::width; ++i) {
-    sum += stencil.weight[static_cast<std::size_t>(i)] * sticking_.squared[static_cast<std::size_t>(stencil.begin + i)];
-  }
-  return std::max(sum, 0.0);
+  return std::max(Stencil(sticking_.axis, coordinate).of(sticking_.squared.data()), 0.0);
 }
 
 std::optional<TableRow> CollisionTable::row(double damping_ratio) const {
@@ -104,7 +92,7 @@ std::optional<TableRow> CollisionTable::row(double damping_ratio) const {
   }
   return TableRow(sticking, [&](double excess) {
     const double coordinate = speed_coordinate(excess);
-    return outcome(along_speed(nodes.data(), Stencil(speed_, coordinate)), std::sqrt(excess + sticking), excess, coordinate);
+    return outcome(Stencil(speed_, coordinate).of(nodes.data()), std::sqrt(excess + sticking), excess, coordinate);
   });
 }
 
@@ -113,21 +101,17 @@ std::optional<TableOutcome> CollisionTable::find(double damping_ratio, double sp
   if (!(u <= damping_.last())) return std::nullopt;
   const Stencil rows(damping_, u);
   const bool adhesive = key_.kind.adhesive();
-  const double excess = speed * speed - sticking_squared(u);
-  if (adhesive && excess < -TableBounds::excess_min) return TableOutcome{.stuck = true};
-  if (adhesive && !TableBounds::contains(excess)) return std::nullopt;
+  const double sticking = sticking_squared(u), excess = speed * speed - sticking, margin = TableBounds::margin(sticking);
+  if (adhesive && excess < -margin) return TableOutcome{.stuck = true};
+  if (adhesive && !(excess >= margin && excess <= TableBounds::excess_max)) return std::nullopt;
   const double coordinate = adhesive ? speed_coordinate(excess) : 0;
   const Stencil columns(speed_, coordinate);
   SmoothNode sum = SmoothNode::Zero();
   for (int j = 0; j < Stencil::width; ++j) {
     const SmoothNode* row = smooth_.data() + static_cast<std::ptrdiff_t>(rows.begin + j) * speed_.count;
-    sum += rows.weight[static_cast<std::size_t>(j)] * (adhesive ? along_speed(row, columns) : *row);
+    sum += rows.weight[static_cast<std::size_t>(j)] * (adhesive ? columns.of(row) : *row);
   }
   return adhesive ? outcome(sum, speed, excess, coordinate) : scale_free_outcome(sum);
-}
-
-std::size_t CollisionTable::bytes() const {
-  return nodes_.size() * (sizeof(TableNode) + sizeof(SmoothNode)) + sticking_.squared.size() * sizeof(double);
 }
 
 }  // namespace scalebreak

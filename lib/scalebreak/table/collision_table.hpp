@@ -59,7 +59,7 @@ class CollisionTable {
   CollisionTable(TableKey key, Axis damping, Axis speed, std::vector<TableNode> nodes, StickingCurve sticking, TableQuality quality);
 
   /// The collision at damping ratio β and reduced speed v̂, or nothing where the table does not reach:
-  /// within 0.01 of the sticking speed (in √(v̂² − v̂_s²)), beyond 1e5, or e < 0.05.
+  /// next to the sticking speed (|v̂² − v̂_s²| < 1e-4 (1 + v̂_s²)), beyond v̂ = 1e5, or e < 0.05.
   [[nodiscard]] std::optional<TableOutcome> find(double damping_ratio, double speed) const;
 
   /// The table at one damping ratio; nothing where e < 0.05.
@@ -71,7 +71,6 @@ class CollisionTable {
   [[nodiscard]] const Axis& speed_axis() const { return speed_; }
   [[nodiscard]] const std::vector<TableNode>& nodes() const { return nodes_; }
   [[nodiscard]] const StickingCurve& sticking() const { return sticking_; }
-  [[nodiscard]] std::size_t bytes() const;
 
   /// The coordinates of the axes.
   [[nodiscard]] static double damping_coordinate(double damping_ratio);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 
 namespace scalebreak {
 
@@ -24,7 +25,7 @@ struct Axis {
 };
 
 /// The six nodes about a point of an even grid, and their weights in the polynomial through them
-/// (fifth degree; off centre at the grid's ends). A grid of fewer nodes is used whole when it has one.
+/// (fifth degree; off centre at the grid's ends).
 struct Stencil {
   static constexpr int width = 6;
   int begin = 0;
@@ -39,6 +40,15 @@ struct Stencil {
     const double right = d23 * d45, left = d01 * d23, outer = d01 * d45;
     constexpr double c0 = 1.0 / 120, c1 = 1.0 / 24, c2 = 1.0 / 12;
     weight = {-c0 * d1 * right, c1 * d0 * right, -c2 * d3 * outer, c2 * d2 * outer, -c1 * d5 * left, c0 * d4 * left};
+  }
+
+  /// The polynomial's value, from the values at the grid's nodes.
+  template <class Value>
+  [[nodiscard]] Value of(const Value* values) const {
+    const Value* node = values + begin;
+    Value sum = weight[0] * node[0];
+    for (std::size_t i = 1; i < width; ++i) sum += weight[i] * node[i];
+    return sum;
   }
 };
 

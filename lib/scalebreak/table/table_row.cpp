@@ -53,8 +53,9 @@ double TableRow::sticking_speed() const { return std::sqrt(sticking_squared_); }
 std::optional<TableOutcome> TableRow::find(double speed) const {
   if (cells_.empty()) return scale_free_;
   const double excess = speed * speed - sticking_squared_;
-  if (excess < -TableBounds::excess_min) return TableOutcome{.stuck = true};
-  if (!TableBounds::contains(excess)) return std::nullopt;
+  const double margin = TableBounds::margin(sticking_squared_);
+  if (excess < -margin) return TableOutcome{.stuck = true};
+  if (!(excess >= margin && excess <= TableBounds::excess_max)) return std::nullopt;
   const Cell& cell = cells_[cell_of(excess) - first_cell_];
   const double u = place_in_cell(excess);
   Value sum = cell[degree];

@@ -21,10 +21,11 @@ struct TableOutcome {
 /// The bounds that every table covers. Beyond them a collision is resolved exactly, and counted.
 struct TableBounds {
   static constexpr double restitution_min = 0.05;
-  static constexpr double excess_min = 1e-4;  ///< v̂² − v̂_s² of the slowest collision
+  static constexpr double excess_min = 1e-4;  ///< v̂² − v̂_s² of the slowest collision, over 1 + v̂_s²
   static constexpr double excess_max = 1e10;  ///< and of the fastest
 
-  [[nodiscard]] static bool contains(double excess) { return excess >= excess_min && excess <= excess_max; }
+  /// Next to the sticking speed no table answers: `excess` = v̂² − v̂_s² within this.
+  [[nodiscard]] static double margin(double sticking_squared) { return excess_min * (1 + sticking_squared); }
 };
 
 /// A collision table at one damping ratio, which a pair of materials keeps for life: the fast lookup. Its cells
