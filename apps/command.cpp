@@ -71,16 +71,21 @@ void add_options(CLI::App& command, Options& options, int most_files) {
 
 bool answered_early(const Options& options, const std::function<std::string(const Input&)>& estimate) {
   if (options.print_defaults) {
-    fmt::print("{}", describe_keys());
+    fmt::print("{}", options.json ? nlohmann::json{{"keys", describe_keys()}}.dump() + "\n" : describe_keys());
     return true;
   }
   if (!options.check) return false;
   std::vector<std::optional<std::string>> files(options.files.begin(), options.files.end());
   if (files.empty()) files.emplace_back();
+  nlohmann::json checked = nlohmann::json::array();
+  std::string text;
   for (const auto& file : files) {
     const Input input = options.input(file);
-    fmt::print("# {}\n# estimate: {}\n{}", file.value_or("defaults"), estimate(input), write_input(input));
+    const std::string name = file.value_or("defaults");
+    checked.push_back({{"file", name}, {"estimate", estimate(input)}, {"input", write_input(input)}});
+    text += fmt::format("# {}\n# estimate: {}\n{}", name, estimate(input), write_input(input));
   }
+  fmt::print("{}", options.json ? nlohmann::json{{"checked", checked}}.dump() + "\n" : text);
   return true;
 }
 

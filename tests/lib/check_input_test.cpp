@@ -102,8 +102,10 @@ TEST(CheckBodies, MustApproachEachOther) {
 TEST(CheckBodies, MustMeetHeadOn) {
   EXPECT_EQ(sentence_for(two_bodies("[0, 0, 0.01]", "[0.25, 0, -1]")),
             "scene.toml, line 6: body.1 and body.2 do not meet head-on, and contact.tangential = \"none\" resolves head-on collisions "
-            "only; found 0.25 m/s across the line of centres; allowed: 0");
+            "only; found 0.25 m/s across the line of centres; allowed: 1e-06 of the closing speed");
   EXPECT_EQ(resolved(two_bodies("[0.006, 0, 0.008]", "[-0.6, 0, -0.8]")).bodies.size(), 2u);
+  EXPECT_EQ(resolved(two_bodies("[0, 0, 0.01]", "[0.9e-6, 0, -1]")).bodies.size(), 2u);
+  EXPECT_THAT(sentence_for(two_bodies("[0, 0, 0.01]", "[1.1e-6, 0, -1]")), HasSubstr("do not meet head-on"));
 }
 
 TEST(CheckScaling, AFactorOnTheWrongSideOfOneIsRefused) {

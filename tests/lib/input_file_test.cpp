@@ -102,6 +102,13 @@ TEST(InputFile, WritesWhatReadsBackTheSame) {
   EXPECT_FALSE(resolved(texts[1]) == resolved(texts[2]));
 }
 
+TEST(InputFile, WritesTheLargestStudySoThatItReadsBack) {
+  Input input;
+  input.study_factors.assign(1000, 1.2345678901234567);
+  input.study_speeds.assign(1000, 0.12345678901234567);
+  EXPECT_TRUE(resolved(write_input(input)) == input);
+}
+
 TEST(InputFile, DescribesEveryKeyAsTomlOfTheDefaults) {
   const std::string text = describe_keys();
   EXPECT_TRUE(resolved(text) == Input{});

@@ -143,6 +143,11 @@ TEST(TomlReaderDeathTest, SurvivesKeysThatAreDeepByTablesInTables) {
   }
 }
 
+TEST(TomlReaderDeathTest, SurvivesASettingAsLongAsACommandLineTakes) {
+  const std::string setting = fmt::format("a={{{}b = 1}}", repeated("b.", 65'000));
+  EXPECT_EXIT(((void)sentence_for_setting(setting), std::exit(3)), testing::ExitedWithCode(3), "");
+}
+
 TEST(TomlReader, AnEmptyTextGivesNothing) {
   EXPECT_TRUE(read_toml("", "text").empty());
   EXPECT_TRUE(read_toml("# only a remark\n", "text").empty());

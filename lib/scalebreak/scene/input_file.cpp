@@ -155,7 +155,10 @@ std::string write_input(const Input& input) {
   std::string text, section;
   for (const Key& key : keys()) {
     if (!input.bodies.empty() && (key.section == "pair" || key.section == "impact")) continue;
-    if (key.section != section) text += fmt::format("{}[{}]\n", section.empty() ? "" : "\n", section = key.section);
+    if (key.section != section) {
+      text += fmt::format("{}[{}]\n", section.empty() ? "" : "\n", key.section);
+      section = key.section;
+    }
     text += fmt::format("{} = {}\n", key.name, to_toml(key.get(input)));
   }
   for (std::size_t i = 0; i < input.bodies.size(); ++i) {

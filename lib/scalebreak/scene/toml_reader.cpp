@@ -47,30 +47,18 @@ Value value_of(const toml::node& node, const std::string& key, const Where& wher
   throw InputError(fmt::format("{}: {}: found a date or time; allowed: a number, true or false, a string, an array", where.text, key));
 }
 
-/// More parts than this in one key would take the parser's stack; no key here has four.
-constexpr int deepest_key = 64;
+/// Every part of a dotted key is a level of tables, and the parser's stack bears only so many. Two full studies have fewer dots.
+constexpr int most_dots = 3000;
 
-/// Throws if a line holds a key of too many parts. Text in quotes and comments does not count.
-void check_key_depth(std::string_view text, const std::string& name) {
+/// Throws if the text could nest deeper, wherever its dots stand.
+void check_depth(std::string_view text, const std::string& name) {
   int line = 1, dots = 0;
-  char quote = 0;
-  bool comment = false;
   for (const char c : text) {
-    if (c == '\n') {
-      ++line, dots = 0, quote = 0, comment = false;
-    } else if (comment) {
-      continue;
-    } else if (quote) {
-      if (c == quote) quote = 0;
-    } else if (c == '"' || c == '\'') {
-      quote = c;
-    } else if (c == '#') {
-      comment = true;
-    } else if (std::string_view("=,[]{}").find(c) != std::string_view::npos) {
-      dots = 0;
-    } else if (c == '.' && ++dots >= deepest_key) {
-      throw InputError(fmt::format("{}, line {}: found a key of more than {} parts; allowed: section.key", name, line, deepest_key));
-    }
+    line += c == '\n';
+    dots += c == '.';
+    if (dots > most_dots)
+      throw InputError(fmt::format("{}, line {}: found more than {} dots; allowed: fewer, an input needs no deeper keys nor more numbers",
+                                   name, line, most_dots));
   }
 }
 
@@ -98,7 +86,7 @@ void flatten(const toml::table& table, const std::string& prefix, const std::str
 }  // namespace
 
 std::vector<Assignment> read_toml(std::string_view text, const std::string& name) {
-  check_key_depth(text, name);
+  check_depth(text, name);
   std::vector<Placed> placed;
   try {
     const toml::table table = toml::parse(text);
@@ -127,6 +115,7 @@ Assignment read_setting(const std::string& text) {
   }
   const std::string key = text.substr(0, equals), value = text.substr(equals + 1);
   const Where where{fmt::format("--set {}", text)};
+  check_depth(value, "--set " + key);
   try {
     const toml::table table = toml::parse("value = " + value);
     const toml::node* node = table.get("value");
