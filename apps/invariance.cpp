@@ -50,17 +50,22 @@ std::string estimate(const Input& input) {
   return fmt::format("{:.0f} exact collisions, about {:.1f} s and 1 s for the table, below 20 MB", collisions, 1e-4 * collisions);
 }
 
-void run(const Options& options) {
+/// Each file's scene, or the defaults. All are read before any work is done.
+std::vector<Input> read_inputs(const Options& options) {
   std::vector<std::optional<std::string>> files(options.files.begin(), options.files.end());
   if (files.empty()) files.emplace_back();
-  const auto names = files.front() ? chapter_names(options.files) : std::vector<std::string>{"defaults"};
-  std::vector<Input> inputs;  // all of them are read before any work is done
+  std::vector<Input> inputs;
   for (const auto& file : files) {
     inputs.push_back(options.input(file));
-    if (!inputs.back().bodies.empty())
-      throw InputError(
-          fmt::format("{}: invariance compares pairs; allowed: [pair] and [impact] in place of [[body]]", file.value_or("--set")));
+    if (inputs.back().bodies.empty()) continue;
+    throw InputError(
+        fmt::format("{}: invariance compares pairs; allowed: [pair] and [impact] in place of [[body]]", file.value_or("--set")));
   }
+  return inputs;
+}
+
+void run(const Options& options, const std::vector<Input>& inputs) {
+  const auto names = options.files.empty() ? std::vector<std::string>{"defaults"} : chapter_names(options.files);
   HtmlReport report("What scaling laws keep in a collision",
                     "Each scaling law is applied to one pair at several factors, and every collision is resolved exactly. "
                     "A law is exact for the pair if the scaled pair has the original's reduced impact speed and damping; then all that "
@@ -101,7 +106,8 @@ void add_invariance(CLI::App& app, Options& options, std::function<void()>& job)
   add_options(*command, options, 100);
   command->callback([&] {
     job = [&options] {
-      if (!answered_early(options, estimate)) run(options);
+      const auto inputs = options.print_defaults ? std::vector<Input>{} : read_inputs(options);
+      if (!answered_early(options, estimate)) run(options, inputs);
     };
   });
 }

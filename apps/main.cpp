@@ -31,6 +31,7 @@ int run(int argc, char** argv) {
     return app.exit(error) == 0 ? 0 : wrong_input;
   }
   job();
+  if (std::fflush(stdout) != 0 || std::ferror(stdout)) throw scalebreak::WorkError("standard output cannot be written");
   return 0;
 }
 

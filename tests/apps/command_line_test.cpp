@@ -115,6 +115,26 @@ TEST_F(CommandLine, PrintDefaultsIsAnInputOfTheDefaults) {
   }
 }
 
+TEST_F(CommandLine, InJsonCheckAndPrintDefaultsAreOneObjectToo) {
+  for (const char* subcommand : subcommands) {
+    const ProgramRun check = run({subcommand, "--check", "--json", "--set", "impact.normal_speed=0.3"});
+    ASSERT_EQ(check.status, 0) << check.err;
+    const nlohmann::json checked = check.json()["checked"];
+    ASSERT_EQ(checked.size(), 1u);
+    EXPECT_EQ(keys_of(checked[0]), (std::set<std::string>{"file", "estimate", "input"}));
+    EXPECT_TRUE(resolved(checked[0]["input"].get<std::string>()) == resolved("", {"impact.normal_speed=0.3"})) << subcommand;
+    EXPECT_TRUE(resolved(run({subcommand, "--print-defaults", "--json"}).json()["keys"].get<std::string>()) == Input{}) << subcommand;
+  }
+}
+
+TEST_F(CommandLine, OutputThatCannotBeWrittenFailsWithStatusOne) {
+  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
+  for (const char* arguments : {"collide", "collide --json", "collide --check", "collide --print-defaults"}) {
+    const std::string command = std::string("'" SCALEBREAK_PROGRAM "' ") + arguments + " >/dev/full 2>/dev/null";
+    EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), 1) << arguments;
+  }
+}
+
 TEST_F(CommandLine, AFolderThatCannotBeMadeFailsWithStatusOne) {
   const std::string taken = scene("taken", "a file\n");
   const ProgramRun result = run({"collide", "--out", taken + "/out", "--json"});

@@ -145,6 +145,28 @@ radius = 0.1
   EXPECT_FALSE(fs::exists(out) || fs::exists(tables));
 }
 
+TEST_F(Invariance, CheckRefusesWhatTheRunRefuses) {
+  const std::string bodies = scene("bodies.toml", R"([[body]]
+position = [0, 0, 1]
+velocity = [0, 0, -1]
+radius = 0.1
+[[body]]
+position = [0, 0, 0]
+radius = 0.1
+)");
+  const ProgramRun result = invariance({bodies, "--check"});
+  EXPECT_EQ(result.status, 2);
+  EXPECT_THAT(result.err, HasSubstr("bodies.toml: invariance compares pairs"));
+}
+
+TEST_F(Invariance, WithoutGnuplotTheReportShowsNoOlderDrawings) {
+  if (!gnuplot_is_there()) GTEST_SKIP() << "gnuplot is not on PATH";
+  ASSERT_EQ(invariance({small, "--out", out, "--quiet"}).status, 0);
+  const EnvironmentVariable nowhere("PATH", folder.path().c_str());
+  ASSERT_EQ(invariance({small, "--out", out, "--quiet", "--set", "material.restitution=0.5"}).status, 0);
+  EXPECT_EQ(content_of(out + "/index.html").find("<svg"), std::string::npos);
+}
+
 TEST_F(Invariance, QuietLeavesStandardErrorEmptyAndOtherwiseThereIsProgress) {
   EXPECT_THAT(invariance({small, "--quiet"}).err, IsEmpty());
   const std::string err = invariance({small}).err;

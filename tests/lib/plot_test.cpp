@@ -92,6 +92,15 @@ TEST(Plot, AGnuplotThatFailsIsSaidAndItsWordsAreKept) {
   EXPECT_EQ(content_of(folder / "restitution.log"), "no such terminal\n");
 }
 
+TEST(Plot, AFailureLeavesNoOlderDrawingOfTheSameName) {
+  const TemporaryFolder folder, tools;
+  put_gnuplot(tools, "exit 1\n");
+  const EnvironmentVariable path("PATH", tools.path().c_str());
+  for (const char* old : {"restitution.svg", "restitution.png"}) tests::put_file(folder / old, "of other data");
+  EXPECT_FALSE(draw(example(), folder.path()));
+  EXPECT_FALSE(fs::exists(folder / "restitution.svg") || fs::exists(folder / "restitution.png"));
+}
+
 TEST(Plot, GnuplotIsGivenTheScriptInItsFolderWhateverThatIsCalled) {
   const TemporaryFolder folder, tools;
   put_gnuplot(tools, "echo \"$PWD $*\" > called\nexit 0\n");

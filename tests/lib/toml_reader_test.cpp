@@ -143,6 +143,12 @@ TEST(TomlReaderDeathTest, SurvivesKeysThatAreDeepByTablesInTables) {
   }
 }
 
+TEST(TomlReader, RefusesMoreDotsThanAnyInputNeeds) {
+  const std::string sentence = "found more than 3000 dots; allowed: fewer, an input needs no deeper keys nor more numbers";
+  EXPECT_EQ(sentence_for("a = 1\n" + repeated("b.", 3001) + "b = 1"), "scene.toml, line 2: " + sentence);
+  EXPECT_EQ(read_toml("a = 1 #" + std::string(3000, '.'), "text").size(), 1u);
+}
+
 TEST(TomlReaderDeathTest, SurvivesASettingAsLongAsACommandLineTakes) {
   const std::string setting = fmt::format("a={{{}b = 1}}", repeated("b.", 65'000));
   EXPECT_EXIT(((void)sentence_for_setting(setting), std::exit(3)), testing::ExitedWithCode(3), "");

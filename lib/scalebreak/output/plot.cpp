@@ -73,6 +73,8 @@ std::string quoted(const std::string& text) {
 
 bool draw(const Plot& plot, const std::filesystem::path& folder) {
   write_file(folder / (plot.name + ".gp"), script(plot));
+  // A drawing of an earlier run must not pass for this one.
+  for (const char* ending : {".svg", ".png"}) std::filesystem::remove(folder / (plot.name + ending));
   const std::string command =
       fmt::format("cd {} && gnuplot {} >/dev/null 2>{}", quoted(folder.string()), quoted(plot.name + ".gp"), quoted(plot.name + ".log"));
   const bool drawn = std::system(command.c_str()) == 0;
