@@ -27,7 +27,7 @@ struct Resolver {
   NormalOutcome<T> outcome{};
 
   template <class Motion>
-  auto observer(const contact_path::Path<T, Motion>&, const Motion& motion) const {
+  auto observer(const Motion& motion) const {
     return [this, motion](const typename Motion::State& y) {
       if (!options.observer) return;
       const T x = motion.coordinate(y);
@@ -40,7 +40,7 @@ struct Resolver {
   template <class Motion>
   std::pair<End, typename Motion::State> follow(const Motion& motion, const typename Motion::State& start, T end, T barrier) {
     contact_path::Path<T, Motion> path(motion, start, step_tolerance, options.max_step, creeps);
-    const auto ended = path.follow(end, barrier, options.find_max_force, observer(path, motion));
+    const auto ended = path.follow(end, barrier, options.find_max_force, observer(motion));
     outcome.steps += path.steps();
     outcome.max_force = std::max(outcome.max_force, path.max_force() * units.force);
     if (start[1] > 0) {
