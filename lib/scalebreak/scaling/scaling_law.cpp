@@ -15,17 +15,34 @@ const std::vector<ScalingLaw>& scaling_laws() {
        .young = 1,
        .spring_constant = 1,
        .surface_energy = 2.0 / 5,
-       .source = "Washino et al. 2024, Tables 1 and 3"},
-      {.name = "sup", .factor_of = size, .direct_force = true, .overlap = 1, .force = 2, .source = "Hu 2024, Method 1"},
-      {.name = "overlap_kept", .factor_of = size, .direct_force = true, .overlap = 0, .force = 2, .source = "Hu 2024, chapter 4, Method 2"},
-      {.name = "force_cubed", .factor_of = size, .direct_force = true, .overlap = 1, .force = 3, .source = "Hu 2024, Method 3"},
+       .rolling_angle_max = -2.0 / 5,
+       .liquid = 2.0 / 5,
+       .liquid_linear = 1.0 / 2,
+       .adhesive_rolling = 2.0 / 5,
+       .source = "Washino et al. 2024, Tables 1 to 4"},
+      {.name = "sup", .factor_of = size, .direct_force = true, .overlap = 1, .force = 2, .torque = 2, .source = "Hu 2024, Method 1"},
+      {.name = "overlap_kept",
+       .factor_of = size,
+       .direct_force = true,
+       .overlap = 0,
+       .force = 2,
+       .torque = 2,
+       .source = "Hu 2024, chapter 4, Method 2"},
+      {.name = "force_cubed",
+       .factor_of = size,
+       .direct_force = true,
+       .overlap = 1,
+       .force = 3,
+       .torque = 3,
+       .source = "Hu 2024, Method 3"},
       {.name = "torque_cubed",
        .factor_of = size,
        .direct_force = true,
        .overlap = 1,
        .force = 2,
+       .torque = 3,
        .source = "Hu 2024, chapter 5, Method 2, after Chu et al. 2016"},
-      {.name = "sakai", .factor_of = size, .direct_force = true, .overlap = 0, .force = 3, .source = "Sakai & Koshizuka 2009"},
+      {.name = "sakai", .factor_of = size, .direct_force = true, .overlap = 0, .force = 3, .torque = 4, .source = "Sakai & Koshizuka 2009"},
       {.name = "chen_elliott", .factor_of = size, .young = 5.0 / 2, .surface_energy = 2, .source = "Chen & Elliott, Table 3"},
       {.name = "bond", .factor_of = size, .surface_energy = 2, .source = "keeps F_po/mg (Chen & Elliott, eq. 26)"},
       {.name = "cohesion", .factor_of = size, .surface_energy = 8.0 / 5, .source = "keeps the Cohesion number (Chen & Elliott, eq. 27)"},
@@ -54,7 +71,9 @@ Material scaled_material(const ScalingLaw& law, double factor, Material material
   if (law.factor_of == FactorOf::stiffness_or_size && factor > 1) return material;
   material.young *= std::pow(factor, law.young);
   material.spring_constant *= std::pow(factor, law.spring_constant);
+  material.spring_constant_tangential *= std::pow(factor, law.spring_constant);
   material.surface_energy *= std::pow(factor, law.surface_energy);
+  material.rolling_angle_max *= std::pow(factor, law.rolling_angle_max);
   return material;
 }
 

@@ -19,16 +19,19 @@ enum class FactorOf {
 
 /// A scaling law, one row of the table in docs/theory.md: powers of its factor. A parameter law changes the material. A
 /// direct-force law maps the scaled pair to its original (overlap_O = overlap_S l^{−overlap}, and time
-/// with it), evaluates the original force there and multiplies it (force_S = force_O l^{force}).
+/// with it; speeds are the same and spins of the original are l times larger), evaluates the original force and torque there
+/// and multiplies them (force_S = force_O l^{force}, torque_S = torque_O l^{torque}). Body forces grow with the mass, l³.
 /// No force law knows that it is being scaled.
 struct ScalingLaw {
   std::string_view name;
   FactorOf factor_of;
   bool direct_force = false;
   // Powers on the material, parameter laws:
-  double young = 0, spring_constant = 0, surface_energy = 0;
+  double young = 0, spring_constant = 0, surface_energy = 0, rolling_angle_max = 0;
+  double liquid = 0, liquid_linear = 0;  ///< on the liquid's forces, beside a non-linear and beside a linear normal contact
+  double adhesive_rolling = 0;           ///< on the torque of adhesive rolling, once the material is scaled
   // Powers of the pair map, direct-force laws:
-  double overlap = 0, force = 0;
+  double overlap = 0, force = 0, torque = 0;
   std::string_view source;  ///< where it comes from
 };
 

@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 
 #include <scalebreak/contact/contact_kind.hpp>
+#include <scalebreak/contact/surface_kind.hpp>
 #include <scalebreak/material/material.hpp>
 #include <scalebreak/scaling/scaled_pair.hpp>
 
@@ -15,7 +16,10 @@ namespace scalebreak {
 struct Body {
   Eigen::Vector3d position{0, 0, 0};
   Eigen::Vector3d velocity{0, 0, 0};
+  Eigen::Vector3d spin{0, 0, 0};
   double radius = 0;
+  bool fixed = false;   ///< moves on as it started, whatever acts on it
+  bool second = false;  ///< of [second] rather than [material]
 
   bool operator==(const Body&) const = default;
 };
@@ -25,11 +29,15 @@ struct Input {
   Material material;
   Material second;
   Wall wall;
-  ContactKind contact;
+  ContactKind contact;  ///< the normal law
+  SurfaceKind surface;  ///< all the other laws
   std::vector<double> radius = {0.5e-3, 0.5e-3};
   bool against_wall = false;
   double normal_speed = 0.1;
-  std::vector<Body> bodies;  ///< two, or none: then [pair] and [impact] hold
+  double tangential_speed = 0;
+  Eigen::Vector3d spin1{0, 0, 0}, spin2{0, 0, 0};
+  std::vector<Body> bodies;  ///< none: then [pair] and [impact] hold
+  double duration = 0;       ///< of a few-body run; 0: until the bodies have parted for good, or rest in contact
   std::string scaling_law = "none";
   double scaling_factor = 1;
   std::vector<std::string> study_laws;  ///< empty: all that suit the contact
