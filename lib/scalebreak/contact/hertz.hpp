@@ -26,7 +26,15 @@ struct Hertz {
     const T cube = x * x * x;
     return stiffness * cube * cube;
   }
+  [[nodiscard]] T force_slope(T x) const {
+    const T square = x * x;
+    return 6 * stiffness * square * square * x;
+  }
   [[nodiscard]] T damping(T x) const { return dashpot * x; }
+  [[nodiscard]] T damping_slope(T) const { return dashpot; }
+  [[nodiscard]] T load(T, T total_force) const { return total_force; }
+  [[nodiscard]] T load_rate(T, T, T total_force_rate) const { return total_force_rate; }
+  [[nodiscard]] T root_radius(T x) const { return x; }
   /// Work done against the force from zero overlap to x [J].
   [[nodiscard]] T energy(T x) const {
     const T square = x * x;

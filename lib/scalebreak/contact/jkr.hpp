@@ -42,6 +42,18 @@ struct Jkr {
     return cube * (stiffness * cube - adhesive_force);
   }
 
+  [[nodiscard]] T force_slope(T x) const {
+    const T square = x * x, cube = square * x;
+    return square * (6 * stiffness * cube - 3 * adhesive_force);
+  }
+  /// F_po = 3πγR* [N].
+  [[nodiscard]] T pull_off_force() const { return adhesive_force * adhesive_force / (4 * stiffness); }
+  /// F_N of friction: the effective load |4â³ − 4â^{3/2} + 2| F_po (Washino et al. 2024, eq. 18), which is F + 2F_po and
+  /// never negative. It holds no dashpot.
+  [[nodiscard]] T load(T x, T) const { return force(x) + 2 * pull_off_force(); }
+  [[nodiscard]] T load_rate(T x, T x_rate, T) const { return force_slope(x) * x_rate; }
+  [[nodiscard]] T root_radius(T x) const { return x; }
+
   [[nodiscard]] T damping(T x) const {
     using std::sqrt;
     if constexpr (damping_on == DampingOn::contact_radius) {
@@ -51,6 +63,8 @@ struct Jkr {
       return depth > 0 ? damping_of_root(sqrt(sqrt(depth))) : T(0);
     }
   }
+
+  [[nodiscard]] T damping_slope(T) const requires(damping_on == DampingOn::contact_radius) { return dashpot; }
 
   /// The dashpot on the overlap, as a function of w = δ^{1/4}, in which it is smooth.
   [[nodiscard]] T damping_of_root(T w) const requires(damping_on == DampingOn::overlap) {

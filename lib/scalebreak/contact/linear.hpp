@@ -22,7 +22,14 @@ struct Linear {
   [[nodiscard]] T overlap(T x) const { return x; }
   [[nodiscard]] T overlap_slope(T) const { return T(1); }
   [[nodiscard]] T force(T x) const { return stiffness * x; }
+  [[nodiscard]] T force_slope(T) const { return stiffness; }
   [[nodiscard]] T damping(T) const { return dashpot; }
+  [[nodiscard]] T damping_slope(T) const { return T(0); }
+  /// F_N of friction, from the normal force with its dashpot: its magnitude (Washino et al. 2024, section 2.2.1).
+  [[nodiscard]] T load(T, T total_force) const { return total_force; }
+  [[nodiscard]] T load_rate(T, T, T total_force_rate) const { return total_force_rate; }
+  /// √a; this contact has no radius.
+  [[nodiscard]] T root_radius(T) const { return T(0); }
   /// Work done against the force from zero overlap to x [J].
   [[nodiscard]] T energy(T x) const { return stiffness * x * x / 2; }
   [[nodiscard]] T coordinate(T overlap) const { return overlap; }

@@ -1,0 +1,180 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <vector>
+
+#include <boost/math/tools/roots.hpp>
+#include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
+
+#include <scalebreak/base/error.hpp>
+
+namespace scalebreak {
+
+/// Steps a motion that is smooth between events by Fehlberg's pair 7(8), and stops on every event. `System` provides
+///
+///     State                                    a range of doubles
+///     operator()(y, rate, s)                   dy/ds
+///     event_values(y, values)                  one number per event, at most 0 while it has not happened
+///     double scale(i) const                    what an error of component i is measured against
+///
+/// An event lies where a value passes from at most 0 to above. Values are looked at four times in every step, on the cubic
+/// through its ends, and the first that is found is located on the step itself.
+template <class System, class Algebra>
+class EventIntegrator {
+ public:
+  using State = typename System::State;
+
+  EventIntegrator(System& system, double tolerance, double first_step) : system_(system), tolerance_(tolerance), next_step_(first_step) {}
+
+  static constexpr int none = -1;
+
+  /// One step from `state`, which it moves to the step's end or to the first event on it; returns that event or `none`.
+  int advance(State& state) {
+    before_ = state;
+    rate_ = before_;
+    after_ = before_;
+    error_ = before_;
+    end_rate_ = before_;
+    system_(before_, rate_, 0.0);
+    const double h = accepted_step();
+    system_(after_, end_rate_, 0.0);
+    double from = 0;
+    for (const double u : {0.25, 0.5, 0.75, 1.0}) {
+      u < 1 ? cubic(u, h, middle_) : void(middle_ = after_);
+      system_.event_values(middle_, values_);
+      double earliest = 2;
+      int first = none;
+      for (std::size_t k = 0; k < values_.size(); ++k) {
+        if (!(values_[k] > 0)) continue;
+        const double root = locate(k, from, u, h, earliest);
+        if (root < earliest) earliest = root, first = static_cast<int>(k), found_ = last_;
+      }
+      if (first != none) {
+        state = found_;
+        ++steps_;
+        return first;
+      }
+      from = u;
+    }
+    state = after_;
+    ++steps_;
+    return none;
+  }
+
+  /// The motion has changed its law: no longer what the last steps were like.
+  void restart() {
+    last_root_ = 1;
+    next_step_ *= 0.5;
+  }
+  void limit_step(double longest) { max_step_ = longest; }
+  [[nodiscard]] int steps() const { return steps_; }
+
+ private:
+  using Stepper = boost::numeric::odeint::runge_kutta_fehlberg78<State, double, State, double, Algebra>;
+  static constexpr int try_cap = 2'000'000;
+
+  double accepted_step() {
+    for (;;) {
+      const double h = std::min(next_step_, max_step_);
+      stepper_.do_step(std::ref(system_), before_, rate_, 0.0, after_, h, error_);
+      double norm = 1e-8;
+      bool finite = true;
+      for (std::size_t i = 0; i < after_.size(); ++i) {
+        const double ratio = std::abs(error_[i]) / (tolerance_ * system_.scale(i));
+        finite = finite && std::isfinite(after_[i]) && std::isfinite(ratio);
+        norm = std::max(norm, ratio);
+      }
+      if (++tries_ > try_cap) throw WorkError("the motion did not end within 2000000 steps; give a shorter duration");
+      const double eighth_root = std::sqrt(std::sqrt(std::sqrt(norm)));
+      if (!finite || norm > 1) {
+        next_step_ = h * (finite ? std::max(0.2, 0.85 / eighth_root) : 0.1);
+        if (next_step_ > 1e-14) continue;
+        throw WorkError(finite ? "the motion stalled: its step fell to zero" : "the motion left the finite numbers");
+      }
+      next_step_ = h * std::clamp(0.88 * std::sqrt(last_root_) / eighth_root, 0.2, 4.0);
+      last_root_ = eighth_root;
+      return h;
+    }
+  }
+
+  /// The state at u of the step by the cubic through its ends and slopes.
+  void cubic(double u, double h, State& y) {
+    const double v = 1 - u, a = v * v * (1 + 2 * u), b = u * u * (3 - 2 * u), c = h * u * v * v, d = -h * u * u * v;
+    y = before_;
+    for (std::size_t i = 0; i < y.size(); ++i) y[i] = a * before_[i] + b * after_[i] + c * rate_[i] + d * end_rate_[i];
+  }
+
+  double value_of(std::size_t k, const State& y) {
+    system_.event_values(y, scratch_values_);
+    return scratch_values_[k];
+  }
+
+  /// Where value k passes zero between `from` and `to` of the step, if before `earliest`; `last_` is the state just past it.
+  double locate(std::size_t k, double from, double to, double h, double earliest) {
+    const auto exact = [&](double u) {
+      last_ = before_;
+      if (u > 0) stepper_.do_step(std::ref(system_), before_, rate_, 0.0, last_, u * h);
+      return value_of(k, last_);
+    };
+    const auto estimate = [&](double u) {
+      cubic(u, h, scratch_);
+      return value_of(k, scratch_);
+    };
+    // On the cubic first: it is cheap.
+    double low = from, high = to, at_low = estimate(low), at_high = estimate(high);
+    if (at_low > 0) {
+      high = low;
+    } else if (at_high > 0) {
+      for (int i = 0; i < 30 && high - low > 1e-4; ++i) {
+        const double middle = (low + high) / 2;
+        (estimate(middle) > 0 ? high : low) = middle;
+      }
+    }
+    const double guess = high;
+    if (guess > earliest + 0.01) return 2;
+    // Then on the step itself, in a bracket that grows until it holds the root.
+    for (double width = 1e-3;; width *= 8) {
+      low = std::max(0.0, guess - width);
+      high = std::min(1.0, guess + width);
+      at_low = exact(low);
+      at_high = exact(high);
+      if (at_high > 0 || high == 1.0) break;
+    }
+    if (!(at_high > 0)) return 2;  // the cubic saw what the step does not hold
+    for (double width = 8e-3; at_low > 0 && low > 0; width *= 8) {
+      low = std::max(0.0, guess - width);
+      at_low = exact(low);
+    }
+    if (at_low > 0) return (void)exact(low), low;  // it has been there from the step's start
+    std::uintmax_t iterations = 60;
+    const auto close = [&](double a, double b) { return b - a <= 1e-14 + 4 * std::numeric_limits<double>::epsilon(); };
+    if (at_low < 0) {
+      const auto [a, b] = boost::math::tools::toms748_solve(exact, low, high, at_low, at_high, close, iterations);
+      high = b;
+    } else {
+      // Zero at its lower end: the event begins there if it is above zero right after.
+      double width = high - low;
+      while (width > 1e-12 && exact(low + width / 2) > 0) width /= 2;
+      high = low + width;
+    }
+    (void)exact(high);
+    return high;
+  }
+
+  System& system_;
+  Stepper stepper_;
+  double tolerance_;
+  double next_step_;
+  double max_step_ = std::numeric_limits<double>::infinity();
+  double last_root_ = 1;
+  State before_{}, after_{}, rate_{}, end_rate_{}, error_{}, middle_{}, last_{}, found_{}, scratch_{};
+  typename System::Values values_{}, scratch_values_{};
+  int steps_ = 0;
+  int tries_ = 0;
+};
+
+}  // namespace scalebreak

@@ -1,0 +1,159 @@
+#include <scalebreak/collisions/few_bodies.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Geometry>
+#include <boost/numeric/odeint/algebra/range_algebra.hpp>
+
+#include <scalebreak/base/error.hpp>
+#include <scalebreak/collisions/event_integrator.hpp>
+#include <scalebreak/collisions/few_body_system.hpp>
+
+namespace scalebreak {
+namespace {
+
+/// Follows a system through its links' lives and keeps count.
+class Motion {
+ public:
+  Motion(std::vector<MovingBody> bodies, const std::function<MappedLaws(int, int)>& laws, const MotionOptions& options)
+      : options_(options), system_(std::move(bodies), laws, options.duration), state_(system_.start()) {
+    outcome_.before = system_.account(state_);
+  }
+
+  MotionOutcome run() {
+    observe();
+    std::vector<FewBodySystem::Change> changes;
+    while (!system_.duration_over()) {
+      if (system_.links().empty()) {
+        const bool meets = system_.fly(state_, changes);
+        note(changes);
+        observe();
+        if (!meets) break;
+      }
+      if (follow()) break;
+    }
+    outcome_.bodies = system_.bodies(state_);
+    outcome_.time = system_.time(state_);
+    outcome_.after = system_.account(state_);
+    for (const Link& link : system_.links()) outcome_.open_contacts += link.touching;
+    return std::move(outcome_);
+  }
+
+ private:
+  using Integrator = EventIntegrator<FewBodySystem, boost::numeric::odeint::range_algebra>;
+
+  /// From one change of the links to the next; true if all rests.
+  bool follow() {
+    Integrator integrator(system_, options_.tolerance / 4, next_step_);
+    if (options_.sample_interval > 0) integrator.limit_step(options_.sample_interval / system_.time_unit());
+    for (;;) {
+      const std::size_t size = state_.size();
+      const int event = integrator.advance(state_);
+      ++outcome_.steps;
+      track();
+      observe();
+      if (event == Integrator::none) {
+        if (settled()) return outcome_.resting = true;
+        continue;
+      }
+      const auto last_links = system_.links();
+      turned(last_links);
+      const auto changes = system_.apply(static_cast<std::size_t>(event), state_);
+      note(changes);
+      if (++events_ > event_cap) throw WorkError("the motion had 1000000 events; give a shorter duration");
+      if (options_.duration == 0 && system_.rests(state_)) return outcome_.resting = true;
+      if (state_.size() != size || system_.duration_over()) {
+        observe();
+        return false;
+      }
+      integrator.restart();
+    }
+  }
+
+  static constexpr int event_cap = 1'000'000;
+  static constexpr int settled_steps = 30;
+
+  /// A contact that only creeps never turns back: what moves no more, step after step, rests.
+  bool settled() {
+    if (options_.duration > 0) return false;
+    const double moving = kinetic_energy(system_.bodies(state_));
+    still_ = std::abs(moving - last_kinetic_) < 1e-15 * moving + 1e-18 * outcome_.before.kinetic ? still_ + 1 : 0;
+    last_kinetic_ = moving;
+    return still_ >= settled_steps;
+  }
+
+  void track() {
+    outcome_.max_overlap = std::max(outcome_.max_overlap, system_.largest_overlap(state_));
+    outcome_.max_force = std::max(outcome_.max_force, system_.largest_force(state_));
+  }
+
+  void turned(const std::vector<Link>& links) {
+    for (const Link& link : links) {
+      if (link.touching) outcome_.turned = std::max(outcome_.turned, system_.turned(state_, link));
+    }
+  }
+
+  void note(const std::vector<FewBodySystem::Change>& changes) {
+    for (const auto& change : changes) {
+      switch (change.what) {
+        case ContactChange::touch:
+          ++outcome_.touches;
+          if (outcome_.first_touch < 0) outcome_.first_touch = system_.time(state_);
+          break;
+        case ContactChange::separation: outcome_.last_separation = system_.time(state_); break;
+        case ContactChange::rupture: ++outcome_.ruptures; break;
+        case ContactChange::slide: ++outcome_.slides; break;
+        case ContactChange::roll: ++outcome_.rolls; break;
+        default: break;
+      }
+      if (options_.on_change) options_.on_change(system_.time(state_), change.first, change.second, change.what);
+    }
+  }
+
+  void observe() {
+    if (!options_.observer) return;
+    const std::vector<MovingBody> bodies = system_.bodies(state_);
+    options_.observer({system_.time(state_), bodies, system_.account(state_), system_.largest_overlap(state_)});
+  }
+
+  const MotionOptions& options_;
+  FewBodySystem system_;
+  FewBodySystem::State state_;
+  MotionOutcome outcome_;
+  double next_step_ = 0.02;
+  double last_kinetic_ = -1;
+  int still_ = 0, events_ = 0;
+};
+
+}  // namespace
+
+MotionOutcome move_bodies(std::vector<MovingBody> bodies, const std::function<MappedLaws(int, int)>& laws, const MotionOptions& options) {
+  return Motion(std::move(bodies), laws, options).run();
+}
+
+Eigen::Vector3d momentum(const std::vector<MovingBody>& bodies) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const MovingBody& body : bodies) {
+    if (std::isfinite(body.mass)) sum += body.mass * body.velocity;
+  }
+  return sum;
+}
+
+Eigen::Vector3d angular_momentum(const std::vector<MovingBody>& bodies) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const MovingBody& body : bodies) {
+    if (std::isfinite(body.mass)) sum += body.mass * body.position.cross(body.velocity) + body.inertia * body.spin;
+  }
+  return sum;
+}
+
+double kinetic_energy(const std::vector<MovingBody>& bodies) {
+  double sum = 0;
+  for (const MovingBody& body : bodies) {
+    if (std::isfinite(body.mass)) sum += body.mass * body.velocity.squaredNorm() / 2 + body.inertia * body.spin.squaredNorm() / 2;
+  }
+  return sum;
+}
+
+}  // namespace scalebreak

@@ -1,0 +1,94 @@
+#pragma once
+
+#include <array>
+#include <functional>
+#include <limits>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include <scalebreak/contact/contact_laws.hpp>
+
+namespace scalebreak {
+
+/// A body of a few-body motion, SI, as it moves (under a scaling law: the scaled one).
+struct MovingBody {
+  Eigen::Vector3d position{0, 0, 0}, velocity{0, 0, 0}, spin{0, 0, 0};
+  double radius = 0;
+  double mass = std::numeric_limits<double>::infinity();     ///< infinite: moves on as it started
+  double inertia = std::numeric_limits<double>::infinity();  ///< about its centre [kg m²]
+  bool plane = false;                                        ///< a wall through `position`, above which the others are (+z)
+};
+
+/// The laws between two of the bodies, evaluated at the variables of the ORIGINAL pair, and what turns the answer into the
+/// scaled pair's. Without a direct-force law all factors are 1.
+struct MappedLaws {
+  ContactLaws laws;
+  double length = 1;                      ///< original over scaled overlap, gap and time
+  double spin = 1;                        ///< original over scaled spin
+  double force = 1, torque = 1;           ///< scaled over original
+  std::array<double, 2> radius = {0, 0};  ///< of the original spheres [m]
+};
+
+/// Where the energy of a motion is and where it went [J]. The sum stays what it was at the start.
+struct EnergyAccount {
+  double kinetic = 0;   ///< translation and rotation
+  double elastic = 0;   ///< in the contacts: the normal force's potential, zero at first touch, and tangential springs
+  double damping = 0;   ///< taken by the normal dashpots
+  double friction = 0;  ///< taken by the tangential forces beyond what their springs hold
+  double rolling = 0;   ///< taken by the rolling torques, their springs included
+  double adhesion = 0;  ///< lost where adhesive contacts tore
+  double liquid = 0;    ///< taken by capillary and viscous forces; a bridge may still give some of it back
+
+  [[nodiscard]] double total() const { return kinetic + elastic + damping + friction + rolling + adhesion + liquid; }
+};
+
+/// One instant of a motion.
+struct MotionSample {
+  double time;
+  const std::vector<MovingBody>& bodies;
+  EnergyAccount energy;
+  double largest_overlap;  ///< [m]
+};
+
+/// What of a contact has changed.
+enum class ContactChange { touch, separation, slide, stick, roll, roll_stop, bridge, rupture };
+
+/// What is asked of a motion.
+struct MotionOptions {
+  double tolerance = 1e-8;                                 ///< of the outcome, relative to what moves
+  double duration = 0;                                     ///< [s]; 0: until nothing can meet again, or all that touches rests
+  std::function<void(const MotionSample&)> observer = {};  ///< at the start, every step, every event and the end
+  double sample_interval = 0;                              ///< [s]; bounds the steps for the observer's sake; 0: none
+  std::function<void(double time, int first, int second, ContactChange)> on_change = {};
+};
+
+/// How a motion ended.
+struct MotionOutcome {
+  std::vector<MovingBody> bodies;
+  double time = 0;
+  double first_touch = -1;      ///< [s]; negative if nothing touched
+  double last_separation = -1;  ///< [s]
+  int touches = 0, ruptures = 0;
+  int slides = 0, rolls = 0;  ///< times that a contact began to slide, to roll
+  bool resting = false;       ///< ended with contacts that cannot part
+  int open_contacts = 0;      ///< that touch at the end
+  double max_overlap = 0;     ///< [m]
+  double max_force = 0;       ///< largest normal force of a contact, at the steps' ends [N]
+  double turned = 0;          ///< largest angle by which a line of centres turned during one contact [rad]
+  EnergyAccount before, after;
+  int steps = 0;
+};
+
+/// Moves a few bodies that interact by `laws(i, j)` (i < j) to the end, exactly: adaptive steps of eighth order, every touch,
+/// separation, slip, stick, bridge and rupture located as an event. The bodies must not overlap at the start. Throws
+/// WorkError where the motion cannot be followed.
+[[nodiscard]] MotionOutcome move_bodies(std::vector<MovingBody> bodies, const std::function<MappedLaws(int, int)>& laws,
+                                        const MotionOptions& options);
+
+/// Linear and angular momentum (about the origin) of the bodies of finite mass.
+[[nodiscard]] Eigen::Vector3d momentum(const std::vector<MovingBody>& bodies);
+[[nodiscard]] Eigen::Vector3d angular_momentum(const std::vector<MovingBody>& bodies);
+[[nodiscard]] double kinetic_energy(const std::vector<MovingBody>& bodies);
+
+}  // namespace scalebreak

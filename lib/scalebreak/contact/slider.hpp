@@ -1,0 +1,139 @@
+#pragma once
+
+#include <cmath>
+
+#include <scalebreak/contact/contact_point.hpp>
+
+namespace scalebreak {
+
+/// What a spring–dashpot–slider is made of at one instant, with the rates of change of its parts.
+struct SliderLaw {
+  double stiffness = 0, stiffness_rate = 0;
+  double damping = 0, damping_rate = 0;
+  double limit = 0, limit_rate = 0;
+  double limit_floor = 0;           ///< far below it a direction is not followed any more
+  bool dashpot_is_limited = false;  ///< the limit is on spring plus dashpot; else on the spring, and what slides has no dashpot
+  bool incremental = false;         ///< the history is the spring's force, dF = k du; else its displacement, F = k u
+};
+
+/// How a slider moves. `skids`: its dashpot alone exceeds the limit, and its spring is unstretched. (A spring that made up for
+/// the dashpot would push forward; in a contact that stiffens as it grows it would soon reverse the friction.)
+enum class Grip { holds, slides, skids };
+
+/// A spring and dashpot in series with a slider, in a contact plane: the history of sliding and of rolling. While it holds,
+/// `history` is the spring's displacement (or its force, if the law is incremental); while it slides, it is the unit direction
+/// of the force, and the spring is such that what the limit is on equals the limit. Forces are returned along
+/// the motion that they oppose.
+///
+/// Velocities are per unit of true time; rates and accelerations per unit of the integrator's time, which is
+/// `dt` of true time long.
+template <int D>
+struct Slider {
+  Tangent<D> history = Tangent<D>::Zero();
+  Grip grip = Grip::holds;
+
+  /// The force against `speed`.
+  [[nodiscard]] Tangent<D> force(const SliderLaw& law, const Tangent<D>& speed) const {
+    switch (grip) {
+      case Grip::holds: return spring(law, speed) + law.damping * speed;
+      case Grip::slides: return law.limit * direction();
+      case Grip::skids: break;
+    }
+    return law.limit * unit(speed);
+  }
+
+  /// The history's rate of change. `acceleration` is that of `speed`.
+  [[nodiscard]] Tangent<D> rate(const SliderLaw& law, const Tangent<D>& speed, const Tangent<D>& acceleration, double dt) const {
+    if (grip == Grip::holds) return (law.incremental ? law.stiffness : 1.0) * dt * speed;
+    if (D == 1 || grip == Grip::skids) return Tangent<D>::Zero();
+    const Tangent<D> along = direction(), trial = trial_rate(law, speed, acceleration, dt);
+    return (trial - along * along.dot(trial)) * law.limit / (law.limit * law.limit + law.limit_floor * law.limit_floor);
+  }
+
+  /// Above zero where the grip ends: a spring at its limit, a sliding force that would fall faster than the limit, or
+  /// a dashpot back below it.
+  [[nodiscard]] double end_of_grip(const SliderLaw& law, const Tangent<D>& speed, const Tangent<D>& acceleration, double dt) const {
+    switch (grip) {
+      case Grip::holds: return limited(law, speed).norm() - law.limit * (1 + 1e-11);
+      case Grip::slides: return rest(law, speed, acceleration, dt);
+      case Grip::skids: break;
+    }
+    return law.limit - law.damping * speed.norm();
+  }
+  /// Above zero where what slides begins to skid.
+  [[nodiscard]] double begin_of_skid(const SliderLaw& law, const Tangent<D>& speed) const {
+    return law.dashpot_is_limited && grip == Grip::slides ? law.damping * speed.dot(direction()) - law.limit : -1.0;
+  }
+
+  /// What follows the end of a grip.
+  void let_go(const SliderLaw& law, const Tangent<D>& speed, const Tangent<D>& acceleration, double dt) {
+    switch (grip) {
+      case Grip::holds: return slip(law, limited(law, speed), speed);
+      case Grip::slides: return hold(law, speed);
+      case Grip::skids: break;
+    }
+    slide_along(speed);
+    if (rest(law, speed, acceleration, dt) > 0) hold(law, speed);
+  }
+  void skid() {
+    grip = Grip::skids;
+    history.setZero();
+  }
+  /// Slides, or skids where the dashpot alone exceeds the limit. `force` is what exceeds it.
+  void slip(const SliderLaw& law, const Tangent<D>& force, const Tangent<D>& speed) {
+    slide_along(force.norm() > 0 ? force : speed);
+    if (begin_of_skid(law, speed) >= 0) skid();
+  }
+  void slide_along(const Tangent<D>& force) {
+    grip = Grip::slides;
+    history = unit(force);
+  }
+  /// Where the limit passes zero, what slides has no force: it goes on the way that it is driven, or holds.
+  void restart(const SliderLaw& law, const Tangent<D>& speed, const Tangent<D>& acceleration, double dt) {
+    if (grip != Grip::slides) return;
+    const Tangent<D> trial = trial_rate(law, speed, acceleration, dt);
+    if (trial.norm() > 0) history = unit(trial);
+    if (rest(law, speed, acceleration, dt) > 0) hold(law, speed);
+  }
+
+  /// Half the spring's stretch times its force.
+  [[nodiscard]] double energy(const SliderLaw& law, const Tangent<D>& speed) const {
+    return law.stiffness > 0 ? spring(law, speed).squaredNorm() / (2 * law.stiffness) : 0.0;
+  }
+
+  [[nodiscard]] Tangent<D> direction() const { return unit(history); }
+
+ private:
+  [[nodiscard]] static Tangent<D> unit(const Tangent<D>& v) {
+    const double norm = v.norm();
+    return norm > 0 ? Tangent<D>(v / norm) : Tangent<D>::Zero();
+  }
+  /// The spring's force.
+  [[nodiscard]] Tangent<D> spring(const SliderLaw& law, const Tangent<D>& speed) const {
+    if (grip == Grip::holds) return (law.incremental ? 1.0 : law.stiffness) * history;
+    if (grip == Grip::skids) return Tangent<D>::Zero();
+    return law.limit * direction() - (law.dashpot_is_limited ? law.damping : 0.0) * speed;
+  }
+  /// What the limit is on.
+  [[nodiscard]] Tangent<D> limited(const SliderLaw& law, const Tangent<D>& speed) const {
+    return spring(law, speed) + (law.dashpot_is_limited ? law.damping : 0.0) * speed;
+  }
+  /// Of what slides: above zero where its force would fall faster than the limit if it held from now on.
+  [[nodiscard]] double rest(const SliderLaw& law, const Tangent<D>& speed, const Tangent<D>& acceleration, double dt) const {
+    return law.limit_rate - direction().dot(trial_rate(law, speed, acceleration, dt));
+  }
+  /// How the limited force would change if the slider held from now on.
+  [[nodiscard]] Tangent<D> trial_rate(const SliderLaw& law, const Tangent<D>& speed, const Tangent<D>& acceleration, double dt) const {
+    Tangent<D> rate = law.stiffness * dt * speed;
+    if (!law.incremental && law.stiffness > 0) rate += law.stiffness_rate / law.stiffness * spring(law, speed);
+    if (law.dashpot_is_limited) rate += law.damping * acceleration + law.damping_rate * speed;
+    return rate;
+  }
+  void hold(const SliderLaw& law, const Tangent<D>& speed) {
+    const Tangent<D> force = spring(law, speed);
+    history = law.incremental ? force : law.stiffness > 0 ? Tangent<D>(force / law.stiffness) : Tangent<D>::Zero();
+    grip = Grip::holds;
+  }
+};
+
+}  // namespace scalebreak
