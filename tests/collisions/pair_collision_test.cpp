@@ -9,7 +9,8 @@ namespace {
 
 Input two_bodies() {
   Input input;
-  input.bodies = {{{0, 0, 0}, {0.1, 0, 0}, 1e-3}, {{5e-3, 0, 0}, {-0.05, 0, 0}, 2e-3}};
+  input.bodies = {{.position = {0, 0, 0}, .velocity = {0.1, 0, 0}, .radius = 1e-3},
+                  {.position = {5e-3, 0, 0}, .velocity = {-0.05, 0, 0}, .radius = 2e-3}};
   return input;
 }
 

@@ -13,40 +13,6 @@ using testing::HasSubstr;
 using tests::resolved;
 using tests::sentence_for;
 
-/// Two bodies, the second at rest in the origin, of 1 mm radius both.
-std::string two_bodies(const std::string& position, const std::string& velocity) {
-  return fmt::format("[[body]]\nposition = {}\nvelocity = {}\nradius = 1e-3\n[[body]]\nposition = [0, 0, 0]\nradius = 1e-3\n", position,
-                     velocity);
-}
-
-TEST(CheckContact, AdhesionRangeNeedsAdhesion) {
-  EXPECT_EQ(sentence_for("[contact]\nnormal = \"hertz\"\nadhesion_range = \"full\"\n"),
-            "scene.toml, line 3: contact.adhesion_range = \"full\" needs adhesion, and contact.normal = \"hertz\" has none; allowed: "
-            "\"touch\", or normal = \"jkr\"");
-  EXPECT_EQ(sentence_for("[contact]\nadhesion_range = \"pull_off\"\n", {"contact.normal=hertz"}),
-            "scene.toml, line 2: contact.adhesion_range = \"pull_off\" needs adhesion, and contact.normal = \"hertz\" has none; allowed: "
-            "\"touch\", or normal = \"jkr\"");
-  EXPECT_EQ(sentence_for("[contact]\nnormal = \"linear\"\n", {"contact.adhesion_range=pull_off"}),
-            "--set contact.adhesion_range=pull_off: contact.adhesion_range = \"pull_off\" needs adhesion, and contact.normal = \"linear\" "
-            "has none; allowed: \"touch\", or normal = \"jkr\"");
-}
-
-TEST(CheckContact, ALinearContactHasNoContactRadius) {
-  EXPECT_EQ(sentence_for("[contact]\nnormal = \"linear\"\ndamping_on = \"contact_radius\"\n"),
-            "scene.toml, line 3: contact.damping_on = \"contact_radius\" needs a contact radius, and contact.normal = \"linear\" has none; "
-            "allowed: \"overlap\", or normal = \"hertz\" or \"jkr\"");
-}
-
-TEST(CheckContact, RangeAndDashpotFollowTheNormalLaw) {
-  const ContactKind hertz{NormalModel::hertz, AdhesionRange::touch, DampingOn::overlap};
-  EXPECT_EQ(resolved("[contact]\nnormal = \"hertz\"\n").contact, hertz);
-  EXPECT_EQ(resolved("[contact]\nnormal = \"hertz\"\nadhesion_range = \"touch\"\ndamping_on = \"contact_radius\"\n").contact, hertz);
-  EXPECT_EQ(resolved("[contact]\nnormal = \"linear\"\ndamping_on = \"overlap\"\n").contact,
-            (ContactKind{NormalModel::linear, AdhesionRange::touch, DampingOn::overlap}));
-  EXPECT_EQ(resolved("[contact]\nadhesion_range = \"touch\"\n").contact,
-            (ContactKind{NormalModel::jkr, AdhesionRange::touch, DampingOn::contact_radius}));
-}
-
 TEST(CheckPair, RadiiMatchThePartner) {
   EXPECT_EQ(sentence_for("[pair]\nradius = [1e-3, 1e-3]\npartner = \"wall\"\n"),
             "scene.toml, line 2: pair.radius holds two radii for pair.partner = \"wall\"; allowed: one, [r1]");
@@ -57,55 +23,9 @@ TEST(CheckPair, RadiiMatchThePartner) {
   EXPECT_FALSE(resolved("[pair]\npartner = \"sphere\"\n").against_wall);
 }
 
-TEST(CheckBodies, CannotStandBesideAPair) {
-  const std::string bodies = two_bodies("[0, 0, 0.01]", "[0, 0, -1]");
-  EXPECT_EQ(sentence_for(bodies + "[pair]\nradius = [1e-3, 1e-3]\n"),
-            "scene.toml, line 9: pair.radius cannot stand beside [[body]]: the bodies say where they are and how they move");
-  EXPECT_EQ(sentence_for(bodies, {"impact.normal_speed=1"}),
-            "--set impact.normal_speed=1: impact.normal_speed cannot stand beside [[body]]: the bodies say where they are and how they "
-            "move");
-}
-
-TEST(CheckBodies, NeedPositionAndRadiusOfBoth) {
-  const std::string needed = " is missing; two [[body]] tables are needed, each with position and radius";
-  EXPECT_EQ(sentence_for("[[body]]\nposition = [0, 0, 1]\n[[body]]\nposition = [0, 0, 0]\nradius = 1e-3\n"), "body.1.radius" + needed);
-  EXPECT_EQ(sentence_for("[[body]]\nposition = [0, 0, 1]\nradius = 1e-3\n[[body]]\nradius = 1e-3\n"), "body.2.position" + needed);
-  EXPECT_EQ(sentence_for("[[body]]\nposition = [0, 0, 1]\nradius = 1e-3\n"), "body.2.position" + needed);
-}
-
-TEST(CheckBodies, EmptyTablesAreNotPassedOver) {
-  EXPECT_THAT(sentence_for("[[body]]\n[[body]]\n"), HasSubstr("body.1"));
-  EXPECT_THAT(sentence_for("[[body]]\n[[body]]\nposition = [0, 0, 1]\nradius = 1e-3\n"), HasSubstr("body.1"));
-  EXPECT_THAT(sentence_for(two_bodies("[0, 0, 0.01]", "[0, 0, -1]") + "[[body]]\n"), HasSubstr("body.3"));
-}
-
-TEST(CheckBodies, MayNotOverlapAtTheStart) {
-  EXPECT_EQ(sentence_for(two_bodies("[0, 0, 1.5e-3]", "[0, 0, -1]")),
-            "scene.toml, line 6: body.1 and body.2 overlap by 0.0005 m at the start (distance 0.0015 m, radii 0.001 m and 0.001 m); "
-            "allowed: at most 1e-09 of the radius");
-  EXPECT_THAT(sentence_for(two_bodies("[0, 0, 0]", "[0, 0, -1]")), HasSubstr("overlap by 0.002 m at the start (distance 0 m"));
-}
-
-TEST(CheckBodies, CountAsTouchingUpToABillionthOfTheRadius) {
-  EXPECT_EQ(resolved(two_bodies("[0, 0, 1.9999999991e-3]", "[0, 0, -1]")).bodies.size(), 2u);
-  EXPECT_EQ(resolved(two_bodies("[0, 0, 2e-3]", "[0, 0, -1]")).bodies.size(), 2u);
-  EXPECT_THAT(sentence_for(two_bodies("[0, 0, 1.9999999989e-3]", "[0, 0, -1]")), HasSubstr("overlap"));
-}
-
-TEST(CheckBodies, MustApproachEachOther) {
-  EXPECT_EQ(sentence_for(two_bodies("[0, 0, 0.01]", "[0, 0, 1]")),
-            "scene.toml, line 6: body.1 and body.2 do not approach each other, found a closing speed of -1 m/s; allowed: above 0");
-  EXPECT_EQ(sentence_for(two_bodies("[0, 0, 0.01]", "[0, 0, 0]")),
-            "scene.toml, line 6: body.1 and body.2 do not approach each other, found a closing speed of 0 m/s; allowed: above 0");
-}
-
-TEST(CheckBodies, MustMeetHeadOn) {
-  EXPECT_EQ(sentence_for(two_bodies("[0, 0, 0.01]", "[0.25, 0, -1]")),
-            "scene.toml, line 6: body.1 and body.2 do not meet head-on, and contact.tangential = \"none\" resolves head-on collisions "
-            "only; found 0.25 m/s across the line of centres; allowed: 1e-06 of the closing speed");
-  EXPECT_EQ(resolved(two_bodies("[0.006, 0, 0.008]", "[-0.6, 0, -0.8]")).bodies.size(), 2u);
-  EXPECT_EQ(resolved(two_bodies("[0, 0, 0.01]", "[0.9e-6, 0, -1]")).bodies.size(), 2u);
-  EXPECT_THAT(sentence_for(two_bodies("[0, 0, 0.01]", "[1.1e-6, 0, -1]")), HasSubstr("do not meet head-on"));
+TEST(CheckPair, EndsByItself) {
+  EXPECT_EQ(sentence_for("[run]\nduration = 1\n"),
+            "scene.toml, line 2: run.duration cannot stand without [[body]]: a pair of [pair] ends by itself");
 }
 
 TEST(CheckScaling, AFactorOnTheWrongSideOfOneIsRefused) {

@@ -1,5 +1,7 @@
 #include <scalebreak/scene/input_file.hpp>
 
+#include <cmath>
+
 #include <gmock/gmock.h>
 
 #include <lib/resolving.hpp>
@@ -17,6 +19,10 @@ using tests::sentence_for;
 constexpr const char* laws =
     "\"none\", \"rps\", \"sup\", \"overlap_kept\", \"force_cubed\", \"torque_cubed\", \"sakai\", \"chen_elliott\", \"bond\", \"cohesion\", "
     "\"thakur\"";
+
+std::string body(const std::string& position, const std::string& velocity) {
+  return "[[body]]\nposition = " + position + "\nvelocity = " + velocity + "\nradius = 1e-3\n";
+}
 
 TEST(InputFile, NothingGivenIsTheDefaults) { EXPECT_TRUE(resolved("") == Input{}); }
 
@@ -63,7 +69,57 @@ TEST(InputFile, BodiesReachTheInput) {
       "[[body]]\nposition = [0, 0, 0.01]\nvelocity = [0, 0, -0.5]\nradius = 1e-3\n[[body]]\nposition = [0, 0, 0]\nradius = 2e-3\n");
   ASSERT_EQ(input.bodies.size(), 2u);
   EXPECT_EQ(input.bodies[0], (Body{.position = {0, 0, 0.01}, .velocity = {0, 0, -0.5}, .radius = 1e-3}));
-  EXPECT_EQ(input.bodies[1], (Body{.position = {0, 0, 0}, .velocity = {0, 0, 0}, .radius = 2e-3}));
+  EXPECT_EQ(input.bodies[1], (Body{.position = {0, 0, 0}, .velocity = {0, 0, 0}, .radius = 2e-3, .second = true}));
+}
+
+TEST(InputFile, SurfacesSpinsAndBodiesReachTheInput) {
+  const Input pair = resolved(R"(
+[contact]
+tangential = "mindlin"
+tangential_radius = "overlap"
+torque_arm = "contact"
+rolling = "epsd2"
+attraction = "capillary+viscous"
+attraction_range = "contact"
+[impact]
+tangential_speed = 0.2
+spin1 = [1, 2, 3]
+spin2 = [-4, 5, -6]
+)");
+  EXPECT_EQ(pair.surface, (SurfaceKind{TangentialModel::mindlin, DampingOn::overlap, TorqueArm::contact, RollingModel::epsd2,
+                                       Attraction::capillary_viscous, AttractionRange::contact}));
+  EXPECT_EQ(pair.tangential_speed, 0.2);
+  EXPECT_EQ(pair.spin1, Eigen::Vector3d(1, 2, 3));
+  EXPECT_EQ(pair.spin2, Eigen::Vector3d(-4, 5, -6));
+  const Input few = resolved(R"(
+[run]
+duration = 0.5
+[[body]]
+position = [0, 0, 0]
+radius = 1e-3
+fixed = true
+material = "second"
+[[body]]
+position = [0, 0, 0.01]
+velocity = [0, 0, -1]
+spin = [0, 7, 0]
+radius = 1e-3
+material = "material"
+)");
+  EXPECT_EQ(few.duration, 0.5);
+  EXPECT_EQ(few.bodies[0], (Body{.radius = 1e-3, .fixed = true, .second = true}));
+  EXPECT_EQ(few.bodies[1], (Body{.position = {0, 0, 0.01}, .velocity = {0, 0, -1}, .spin = {0, 7, 0}, .radius = 1e-3}));
+}
+
+TEST(InputFile, OnlyTheSecondOfTwoBodiesIsOfTheSecondMaterialByDefault) {
+  const Input two = resolved(body("[0, 0, 0]", "[0, 0, 1]") + body("[0, 0, 0.01]", "[0, 0, 0]"), {"second.density=1000"});
+  EXPECT_FALSE(two.bodies[0].second);
+  EXPECT_TRUE(two.bodies[1].second);
+  EXPECT_EQ(two.colliding().first.density, 2500);
+  EXPECT_EQ(two.colliding().second.density, 1000);
+  const Input three = resolved(body("[0, 0, 0]", "[0, 0, 1]") + body("[0, 0, 0.01]", "[0, 0, 0]") + body("[0, 0, 0.02]", "[0, 0, 0]"));
+  for (const Body& item : three.bodies) EXPECT_FALSE(item.second);
+  EXPECT_EQ(three.colliding().radius.size(), 2u);
 }
 
 TEST(InputFile, SecondAndWallDefaultToTheMaterial) {
@@ -94,6 +150,11 @@ TEST(InputFile, WritesWhatReadsBackTheSame) {
       "[pair]\npartner = \"wall\"\n[wall]\nrigid = true\nattraction = false\nyoung = 123456.789\n",
       "[study]\nlaws = [\"rps\"]\nspeeds = [0.1, 0.30000000000000004]\n",
       "[[body]]\nposition = [0, 0, 0.1]\nvelocity = [0, 0, -0.3]\nradius = 1e-3\n[[body]]\nposition = [0, 0, 0]\nradius = 2e-3\n",
+      "[contact]\nnormal = \"hertz\"\ntangential = \"mindlin\"\nrolling = \"ar\"\n[impact]\ntangential_speed = 0.1\nspin1 = [0, 1e-3, 7]\n",
+      "[contact]\nattraction = \"viscous\"\n[material]\nliquid_fraction = 0.03\nseparation_min = 1e-7\n[second]\nliquid_volume = 1e-13\n"
+      "separation_min_ratio = 0.01\n[wall]\nseparation_min = 2e-7\n",
+      "[run]\nduration = 0.3\n[[body]]\nposition = [0, 0, 0.1]\nspin = [1, 2, 3]\nradius = 1e-3\nmaterial = \"second\"\n[[body]]\n"
+      "position = [0, 0, 0]\nvelocity = [0, 0, 0.1]\nradius = 2e-3\n[[body]]\nposition = [1, 0, 0]\nradius = 2e-3\nfixed = true\n",
   };
   for (const char* text : texts) {
     const Input input = resolved(text);
@@ -102,8 +163,11 @@ TEST(InputFile, WritesWhatReadsBackTheSame) {
   EXPECT_FALSE(resolved(texts[1]) == resolved(texts[2]));
 }
 
-TEST(InputFile, WritesTheLargestStudySoThatItReadsBack) {
+TEST(InputFile, WritesTheLargestStudyOfTheMostBodiesSoThatItReadsBack) {
   Input input;
+  input.bodies.assign(50, Body{.velocity = {0.1, 0.2, 0.3}, .spin = {0.1, 0.2, 0.3}, .radius = 0.0123});
+  for (std::size_t i = 0; i < 50; ++i) input.bodies[i].position = {0.25 * static_cast<double>(i), 0.1, 0.2};
+  input.bodies[0].velocity = {1.5, 0.2, 0.3};
   input.study_factors.assign(1000, 1.2345678901234567);
   input.study_speeds.assign(1000, 0.12345678901234567);
   EXPECT_TRUE(resolved(write_input(input)) == input);
@@ -123,28 +187,36 @@ TEST(InputMessage, UnknownKeyWithASuggestion) {
   EXPECT_EQ(sentence_for("[material]\nyuong = 1e9\n"),
             "scene.toml, line 2: material.yuong: there is no such key (did you mean material.young?); allowed: material.young, "
             "material.poisson, material.density, material.restitution, material.sliding_friction, material.surface_energy, "
-            "material.spring_constant, material.name");
+            "material.spring_constant, material.spring_constant_tangential, material.rolling_friction, material.rolling_damping, "
+            "material.rolling_angle_max, material.surface_tension, material.contact_angle, material.viscosity, material.liquid_volume, "
+            "material.liquid_fraction, material.separation_min, material.separation_min_ratio, material.name");
+  EXPECT_THAT(sentence_for("[second]\nsurface_tenson = 1\n"), HasSubstr("(did you mean second.surface_tension?)"));
+  EXPECT_THAT(sentence_for("[contact]\nroling = \"cdt\"\n"), HasSubstr("(did you mean contact.rolling?)"));
+  EXPECT_EQ(sentence_for("[run]\nduraton = 1\n"),
+            "scene.toml, line 2: run.duraton: there is no such key (did you mean run.duration?); allowed: run.duration");
   EXPECT_EQ(sentence_for("", {"pair.radii=[1e-3,1e-3]"}),
             "--set pair.radii=[1e-3,1e-3]: pair.radii: there is no such key (did you mean pair.radius?); allowed: pair.radius, "
             "pair.partner");
   EXPECT_EQ(sentence_for("[[body]]\nposition = [0, 0, 0]\nradios = 3\n"),
             "scene.toml, line 3: body.1.radios: there is no such key (did you mean body.radius?); allowed: body.position, body.velocity, "
-            "body.radius");
+            "body.spin, body.radius, body.fixed, body.material");
 }
 
 TEST(InputMessage, UnknownKeyUnlikeAnyGetsNoSuggestion) {
   EXPECT_EQ(sentence_for("[impact]\nxyzxyzxyzxyz = 1\n"),
-            "scene.toml, line 2: impact.xyzxyzxyzxyz: there is no such key; allowed: impact.normal_speed");
+            "scene.toml, line 2: impact.xyzxyzxyzxyz: there is no such key; allowed: impact.normal_speed, impact.tangential_speed, "
+            "impact.spin1, impact.spin2");
   EXPECT_EQ(sentence_for("[pair]\nxyz = 1\n"), "scene.toml, line 2: pair.xyz: there is no such key; allowed: pair.radius, pair.partner");
 }
 
 TEST(InputMessage, UnknownSection) {
   EXPECT_EQ(sentence_for("\n\n[materials]\nyoung = 1e9\n"),
             "scene.toml, line 4: materials.young: there is no such section; allowed: material, second, wall, contact, pair, impact, "
-            "scaling, study, numerics, body");
-  EXPECT_EQ(sentence_for("young = 1e9\n"),
-            "scene.toml, line 1: young: there is no such section; allowed: material, second, wall, contact, pair, impact, scaling, study, "
-            "numerics, body");
+            "scaling, run, study, numerics, body");
+  EXPECT_EQ(
+      sentence_for("young = 1e9\n"),
+      "scene.toml, line 1: young: there is no such section; allowed: material, second, wall, contact, pair, impact, scaling, run, study, "
+      "numerics, body");
 }
 
 TEST(InputMessage, UnknownKeysBelowAKeyOrABody) {
@@ -192,6 +264,19 @@ TEST(InputMessage, NotFinite) {
             "scene.toml, line 2: study.speeds: found [1, nan]; allowed: an array of 0 to 1000 numbers of at least 1e-09 and at most 10000");
 }
 
+TEST(InputMessage, WhatIsPrintedAsAllowedIsAllowed) {
+  const std::string angle = "a number of at least 0 and at most 1.5707963267948966";
+  EXPECT_EQ(sentence_for("[material]\ncontact_angle = 1.5708\n"),
+            "scene.toml, line 2: material.contact_angle: found 1.5708; allowed: " + angle);
+  EXPECT_EQ(resolved("[material]\ncontact_angle = 1.5707963267948966\n").material.contact_angle, std::acos(0.0));
+  EXPECT_EQ(sentence_for("[wall]\nseparation_min_ratio = 0\n"),
+            "scene.toml, line 2: wall.separation_min_ratio: found 0; allowed: a number of at least 1e-09 and at most 1");
+  EXPECT_EQ(sentence_for("[material]\nliquid_fraction = 0.2\n"),
+            "scene.toml, line 2: material.liquid_fraction: found 0.2; allowed: a number of at least 0 and at most 0.1");
+  EXPECT_EQ(sentence_for("[impact]\nspin1 = [0, 0]\n"),
+            "scene.toml, line 2: impact.spin1: found [0, 0]; allowed: an array of 3 numbers of at least -1e+09 and at most 1e+09");
+}
+
 TEST(InputMessage, RestitutionBeyondItsEnds) {
   EXPECT_EQ(sentence_for("[material]\nrestitution = 0\n"),
             "scene.toml, line 2: material.restitution: found 0; allowed: a number above 0 and at most 1");
@@ -205,16 +290,26 @@ TEST(InputMessage, WrongWord) {
             "scene.toml, line 2: contact.normal: found \"dmt\"; allowed: \"linear\", \"hertz\", \"jkr\"");
   EXPECT_EQ(sentence_for("", {"contact.adhesion_range=far"}),
             "--set contact.adhesion_range=far: contact.adhesion_range: found \"far\"; allowed: \"full\", \"pull_off\", \"touch\"");
-  EXPECT_EQ(sentence_for("[contact]\ntangential = \"mindlin\"\n"),
-            "scene.toml, line 2: contact.tangential: found \"mindlin\"; allowed: \"none\"");
+  EXPECT_EQ(sentence_for("[contact]\ntangential = \"coulomb\"\n"),
+            "scene.toml, line 2: contact.tangential: found \"coulomb\"; allowed: \"none\", \"linear\", \"mindlin\"");
+  EXPECT_EQ(sentence_for("[contact]\nrolling = \"sds\"\n"),
+            "scene.toml, line 2: contact.rolling: found \"sds\"; allowed: \"none\", \"cdt\", \"epsd\", \"epsd2\", \"ar\"");
+  EXPECT_EQ(sentence_for("[contact]\nattraction = \"viscous+capillary\"\n"),
+            "scene.toml, line 2: contact.attraction: found \"viscous+capillary\"; allowed: \"none\", \"capillary\", \"viscous\", "
+            "\"capillary+viscous\"");
+  EXPECT_EQ(sentence_for("[[body]]\nmaterial = \"wall\"\n"),
+            "scene.toml, line 2: body.1.material: found \"wall\"; allowed: \"material\", \"second\"");
   EXPECT_EQ(sentence_for("[scaling]\nlaw = \"RPS\"\n"), std::string("scene.toml, line 2: scaling.law: found \"RPS\"; allowed: ") + laws);
   EXPECT_EQ(sentence_for("[study]\nlaws = [\"rps\", \"spr\"]\n"),
             std::string("scene.toml, line 2: study.laws: found [\"rps\", \"spr\"]; allowed: an array of ") + laws);
 }
 
 TEST(InputMessage, WrongNumberOfBodiesOrCoordinates) {
-  EXPECT_EQ(sentence_for("[[body]]\nradius = 1\n[[body]]\nradius = 1\n[[body]]\nradius = 1\n"),
-            "scene.toml, line 6: body.3.radius: found 3 bodies; allowed: two [[body]] tables, or none");
+  std::string many;
+  for (int i = 0; i < 51; ++i) many += "[[body]]\nradius = 1\n";
+  EXPECT_EQ(sentence_for(many), "scene.toml, line 102: body.51.radius: found 51 bodies; allowed: 2 to 50 [[body]] tables, or none");
+  EXPECT_EQ(sentence_for("[[body]]\nradius = 1\n"),
+            "scene.toml, line 2: body.1.radius: found 1 body; allowed: 2 to 50 [[body]] tables, or none");
   EXPECT_EQ(sentence_for("[[body]]\nradius = 1\nposition = [1, 2]\n[[body]]\nradius = 1\n"),
             "scene.toml, line 3: body.1.position: found [1, 2]; allowed: an array of 3 numbers of at least -1000 and at most 1000");
 }
@@ -225,12 +320,17 @@ TEST(InputMessage, AWrongValueIsReportedBeforeAMissingOne) {
             "scene.toml, line 4: impact.normal_speed: found -1; allowed: a number of at least 1e-09 and at most 10000");
   EXPECT_EQ(sentence_for(body + "[material]\nname = \"glass\"\nyoung = nan\n"),
             "scene.toml, line 5: material.young: found nan; allowed: a number of at least 100 and at most 1e+14");
-  EXPECT_EQ(sentence_for(body), "body.1.radius is missing; two [[body]] tables are needed, each with position and radius");
+  EXPECT_EQ(sentence_for(body + "[[body]]\nradius = 1\n"), "body.1.radius is missing; every [[body]] needs position and radius");
 }
 
 TEST(InputMessage, AWrongValueIsReportedBeforeAnImpossibleCombination) {
   EXPECT_EQ(sentence_for("[contact]\nnormal = \"hertz\"\nadhesion_range = \"full\"\n[numerics]\ntolerance = 1\n"),
             "scene.toml, line 5: numerics.tolerance: found 1; allowed: a number of at least 1e-13 and at most 1e-06");
+}
+
+TEST(InputMessage, AMissingValueIsReportedBeforeAnImpossibleCombination) {
+  EXPECT_EQ(sentence_for("[contact]\nnormal = \"hertz\"\nadhesion_range = \"full\"\n[[body]]\nradius = 1\n[[body]]\nradius = 1\n"),
+            "body.1.position is missing; every [[body]] needs position and radius");
 }
 
 TEST(InputMessage, TheFirstOfTwoWrongValuesIsReported) {

@@ -42,8 +42,48 @@ velocity = [0, 0, 0.25]
 radius = 2e-3
 )";
 
+constexpr const char* three_bodies = R"([contact]
+tangential = "mindlin"
+rolling = "ar"
+[run]
+duration = 0.5
+[[body]]
+position = [0, 0, 0.01]
+velocity = [0, 0.1, -0.5]
+spin = [1, 2, 3]
+radius = 1e-3
+material = "second"
+[[body]]
+position = [0, 0, 0]
+radius = 2e-3
+fixed = true
+[[body]]
+position = [0, 0.002, 0.0204]
+radius = 2e-3
+fixed = false
+)";
+
+constexpr const char* wet_pair = R"([contact]
+tangential = "linear"
+torque_arm = "contact"
+rolling = "epsd"
+attraction = "capillary+viscous"
+attraction_range = "bridge"
+[material]
+liquid_fraction = 0.01
+separation_min = 1e-7
+contact_angle = 0.3
+[second]
+liquid_volume = 1e-12
+separation_min_ratio = 0.001
+[impact]
+tangential_speed = 0.2
+spin1 = [1, 2, 3]
+spin2 = [-1e3, 0, 0.1]
+)";
+
 std::vector<std::string> seed_texts() {
-  std::vector<std::string> texts = {write_input(Input{}), two_bodies, describe_keys()};
+  std::vector<std::string> texts = {write_input(Input{}), two_bodies, three_bodies, wet_pair, describe_keys()};
   for (const char* folder : {"scenes", "materials"}) {
     std::vector<fs::path> files;
     for (const auto& entry : fs::directory_iterator(fs::path(SCALEBREAK_SOURCE) / "data" / folder)) files.push_back(entry.path());
@@ -87,7 +127,8 @@ std::vector<std::string> words_of(const std::string& text) {
 std::string odd_value(Random& random) {
   static const std::vector<std::string> odd = words_of(
       "nan|inf|-inf|-0.0|0|1|1.0000000000000002|-1|1e308|1e999|-1e-320|4.9e-324|99999999999999999999999|0x1f|1_000|1e-9|1e-13|0.5|2|1e3|"
-      "1e14|100|0.1|true|false|\"\"|\"rps\"|\"wall\"|\"hertz\"|\"linear\"|\"none\"|\"glass\"|\"latex\"|\"\\u0000\"|'''x'''|1979-05-27|"
+      "1e14|100|0.1|true|false|\"\"|\"rps\"|\"wall\"|\"hertz\"|\"linear\"|\"none\"|\"mindlin\"|\"ar\"|\"viscous\"|\"bridge\"|\"second\"|"
+      "\"glass\"|\"latex\"|\"\\u0000\"|'''x'''|1979-05-27|"
       "07:32:00|[]|[[]]|[1e-3]|[1e-3, 2e-3]|[0, 0, 1]|[nan, 1]|[1, \"a\"]|[true]|[\"rps\", \"sup\"]|{}|{a = 1}|velvet||=|\"open|[1, 2|"
       "\xff\xfe|\"\xc3\x28\"");
   const std::size_t depth = 1 + below(random, 600);
@@ -213,7 +254,7 @@ testing::AssertionResult in_bounds(const Input& input, const Key& key) {
 }
 
 struct Tally {
-  int accepted = 0, refused = 0, with_bodies = 0, against_wall = 0;
+  int accepted = 0, refused = 0, with_bodies = 0, with_three = 0, against_wall = 0, wet = 0;
 };
 
 /// Reads a mutant: refused in a sentence, or an Input that keeps every promise. Anything else fails the test.
@@ -234,6 +275,8 @@ void read(const std::string& text, const std::vector<std::string>& settings, Tal
   }
   ++tally.accepted;
   tally.with_bodies += !input.bodies.empty();
+  tally.with_three += input.bodies.size() > 2;
+  tally.wet += input.surface.attraction != Attraction::none;
   tally.against_wall += input.against_wall;
   for (const Key& key : keys()) EXPECT_TRUE(in_bounds(input, key));
   for (std::size_t i = 0; i < input.bodies.size(); ++i) {
@@ -261,6 +304,8 @@ TEST_F(InputFuzz, DamagedFilesAndSettingsAreRefusedOrKeepEveryPromise) {
   EXPECT_GT(tally.accepted, 4000);
   EXPECT_GT(tally.refused, 10'000);
   EXPECT_GT(tally.with_bodies, 200);
+  EXPECT_GT(tally.with_three, 200);
+  EXPECT_GT(tally.wet, 200);
   EXPECT_GT(tally.against_wall, 200);
 }
 

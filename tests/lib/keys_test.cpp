@@ -101,18 +101,18 @@ TEST(Keys, EachNumberHasAPlaceOfItsOwn) {
     put.emplace_back(key, filled(old, bounds.low + share * (bounds.high - bounds.low)));
     key.set(input, put.back().second);
   }
-  EXPECT_GT(put.size(), 25u);
+  EXPECT_GT(put.size(), 65u);
   for (const auto& [key, value] : put) EXPECT_EQ(key.get(input), value) << key.dotted();
 }
 
 TEST(Keys, EveryAllowedWordIsTakenAndGivenBackAndNoOther) {
   int choices = 0;
-  for (const Key& key : keys()) {
-    if (!std::holds_alternative<std::string>(key.get(Input{}))) continue;
+  for (const Key& key : keys_and_body_keys()) {
+    if (!std::holds_alternative<std::string>(key.get(with_bodies()))) continue;
     ++choices;
     EXPECT_FALSE(words_of(key).empty()) << key.dotted();
     for (const std::string& word : words_of(key)) {
-      Input input;
+      Input input = with_bodies();
       key.set(input, word);
       EXPECT_EQ(key.get(input), Value(word)) << key.dotted();
     }
@@ -120,7 +120,7 @@ TEST(Keys, EveryAllowedWordIsTakenAndGivenBackAndNoOther) {
     EXPECT_EQ(refused(key, std::string("")), "found \"\"") << key.dotted();
     EXPECT_EQ(refused(key, 1.0), "found 1") << key.dotted();
   }
-  EXPECT_GE(choices, 8);
+  EXPECT_GE(choices, 12);
 }
 
 TEST(Keys, BoundsAreTheEdgeOfWhatIsTaken) {
@@ -167,6 +167,28 @@ TEST(Keys, RefuseAnotherKindOfValue) {
   }
 }
 
+TEST(Keys, TheWordsOfTheSurfaceLawsAreTheirNames) {
+  const auto named = [](const std::string& dotted, const std::string& word) {
+    Input input;
+    for (const Key& key : keys()) {
+      if (key.dotted() == dotted) key.set(input, word);
+    }
+    const SurfaceKind& kind = input.surface;
+    if (dotted == "contact.tangential") return to_string(kind.tangential);
+    if (dotted == "contact.tangential_radius") return to_string(kind.tangential_radius);
+    if (dotted == "contact.torque_arm") return to_string(kind.torque_arm);
+    if (dotted == "contact.rolling") return to_string(kind.rolling);
+    return dotted == "contact.attraction" ? to_string(kind.attraction) : to_string(kind.attraction_range);
+  };
+  for (const char* name : {"tangential", "tangential_radius", "torque_arm", "rolling", "attraction", "attraction_range"}) {
+    const std::string dotted = std::string("contact.") + name;
+    for (const Key& key : keys()) {
+      if (key.dotted() != dotted) continue;
+      for (const std::string& word : words_of(key)) EXPECT_EQ(named(dotted, word), word) << dotted;
+    }
+  }
+}
+
 TEST(Keys, ArraysHaveLengths) {
   const auto key = [](const std::string& dotted) {
     for (const Key& item : keys_and_body_keys()) {
@@ -184,7 +206,8 @@ TEST(Keys, ArraysHaveLengths) {
     }
   };
   const std::vector<std::tuple<std::string, std::size_t, std::size_t>> lengths = {
-      {"pair.radius", 1, 2}, {"study.factors", 1, 1000}, {"study.speeds", 0, 1000}, {"body.position", 3, 3}, {"body.velocity", 3, 3}};
+      {"pair.radius", 1, 2},   {"study.factors", 1, 1000}, {"study.speeds", 0, 1000}, {"body.position", 3, 3},
+      {"body.velocity", 3, 3}, {"body.spin", 3, 3},        {"impact.spin1", 3, 3},    {"impact.spin2", 3, 3}};
   for (const auto& [dotted, least, most] : lengths) {
     EXPECT_TRUE(length_taken(dotted, least)) << dotted;
     EXPECT_TRUE(length_taken(dotted, most)) << dotted;
@@ -212,12 +235,16 @@ TEST(Keys, StudyLawsTakeAnyNumberOfLawsAndNothingElse) {
 TEST(Keys, ThoseOfABodyGoToThatBody) {
   Input input = with_bodies();
   const auto second = body_keys(1);
-  ASSERT_EQ(second.size(), 3u);
+  ASSERT_EQ(second.size(), 6u);
   second[0].set(input, std::vector<double>{1, 2, 3});
   second[1].set(input, std::vector<double>{4, 5, 6});
-  second[2].set(input, 0.25);
+  second[2].set(input, std::vector<double>{7, 8, 9});
+  second[3].set(input, 0.25);
+  second[4].set(input, true);
+  second[5].set(input, std::string("second"));
   EXPECT_EQ(input.bodies[0], with_bodies().bodies[0]);
-  EXPECT_EQ(input.bodies[1], (Body{.position = {1, 2, 3}, .velocity = {4, 5, 6}, .radius = 0.25}));
+  EXPECT_EQ(input.bodies[1],
+            (Body{.position = {1, 2, 3}, .velocity = {4, 5, 6}, .spin = {7, 8, 9}, .radius = 0.25, .fixed = true, .second = true}));
 }
 
 TEST(Bounds, AreReadAloud) {

@@ -48,9 +48,13 @@ struct Input {
 
   bool operator==(const Input&) const = default;
 
-  /// What meets: the pair, or the two bodies, of [material] and [second].
+  /// The material of a body.
+  [[nodiscard]] const Material& material_of(const Body& body) const { return body.second ? second : material; }
+
+  /// What meets: the pair, of [material] and [second], or the first two bodies.
   [[nodiscard]] Bodies colliding() const {
-    return {material, second, wall, bodies.empty() ? radius : std::vector{bodies[0].radius, bodies[1].radius}};
+    if (bodies.empty()) return {material, second, wall, radius};
+    return {material_of(bodies[0]), material_of(bodies[1]), wall, {bodies[0].radius, bodies[1].radius}};
   }
 };
 

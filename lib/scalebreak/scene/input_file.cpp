@@ -1,10 +1,13 @@
 #include <scalebreak/scene/input_file.hpp>
 
 #include <algorithm>
+#include <iterator>
 
 #include <fmt/format.h>
 
 #include <scalebreak/base/error.hpp>
+#include <scalebreak/scene/alternatives.hpp>
+#include <scalebreak/scene/check_bodies.hpp>
 #include <scalebreak/scene/check_input.hpp>
 #include <scalebreak/scene/keys.hpp>
 #include <scalebreak/scene/materials.hpp>
@@ -13,6 +16,16 @@ namespace scalebreak {
 namespace {
 
 constexpr const char* materials[] = {"material", "second", "wall"};
+
+Material& material_of(const std::string& section, Input& input) {
+  return section == "material" ? input.material : section == "second" ? input.second : input.wall.material;
+}
+
+std::string section_of(const std::string& key) { return key.substr(0, key.find('.')); }
+
+bool is_material(const std::string& section) {
+  return std::find(std::begin(materials), std::end(materials), section) != std::end(materials);
+}
 
 /// Of the keys that could have been meant: the one whose name has the most letters of the word in the same order.
 std::string nearest(const std::string& word, const std::vector<std::string>& candidates) {
@@ -43,15 +56,15 @@ const Key* find_key(const std::string& dotted) {
 
 [[noreturn]] void unknown(const Assignment& given) {
   std::vector<std::string> names, sections;
-  const std::string section = given.key.substr(0, given.key.find('.'));
+  const std::string section = section_of(given.key);
   for (const Key& key : keys()) {
     if (key.section == section) names.push_back(key.dotted());
     if (sections.empty() || sections.back() != key.section) sections.push_back(key.section);
   }
-  for (const char* material : materials) {
-    if (section == material) names.push_back(section + ".name");
+  if (is_material(section)) names.push_back(section + ".name");
+  if (section == "body") {
+    for (const Key& key : body_keys(0)) names.push_back(key.dotted());
   }
-  if (section == "body") names = {"body.position", "body.velocity", "body.radius"};
   if (names.empty()) {
     throw InputError(
         fmt::format("{}: {}: there is no such section; allowed: {}, body", given.where.text, given.key, fmt::join(sections, ", ")));
@@ -87,47 +100,74 @@ void apply_body(Input& input, const Assignment& given) {
   unknown(given);
 }
 
+/// What is given for a material, in one place.
+void put(const std::string& section, Input& input, const Given& given) {
+  for (const Assignment& item : given) {
+    if (item.key.rfind(section + ".", 0) != 0 || item.key == section + ".name") continue;
+    const Key* key = find_key(item.key);
+    if (!key) unknown(item);
+    apply(*key, input, item);
+  }
+  settle_alternatives(material_of(section, input), section, given);
+}
+
 /// A named material first, then what is said beside it.
-void apply_material(const std::string& section, Input& input, const std::vector<Assignment>& given) {
-  for (const Assignment& item : given) {
-    if (item.key != section + ".name") continue;
-    const auto* name = std::get_if<std::string>(&item.value);
+void apply_material(const std::string& section, Input& input, const Given& given) {
+  if (const Assignment* named = find_given(given, section + ".name")) {
+    const auto* name = std::get_if<std::string>(&named->value);
     if (!name)
-      throw InputError(
-          fmt::format("{}: {}: found {}; allowed: the name of a material, as a string", item.where.text, item.key, to_toml(item.value)));
-    for (Assignment property : named_material(*name, item.where, item.key)) {
-      property.key = section + "." + property.key;
-      const Key* key = find_key(property.key);
-      if (!key) unknown(property);
-      apply(*key, input, property);
-    }
+      throw InputError(fmt::format("{}: {}: found {}; allowed: the name of a material, as a string", named->where.text, named->key,
+                                   to_toml(named->value)));
+    Given properties = named_material(*name, named->where, named->key);
+    for (Assignment& property : properties) property.key = section + "." + property.key;
+    put(section, input, properties);
+    check_alternatives(section, properties);
   }
-  for (const Assignment& item : given) {
-    if (item.key.rfind(section + ".", 0) == 0 && item.key != section + ".name") apply(*find_key(item.key), input, item);
-  }
+  put(section, input, given);
+}
+
+/// So many bodies, each of the default material.
+std::vector<Body> blank_bodies(std::size_t count) {
+  std::vector<Body> bodies(count);
+  if (count == 2) bodies[1].second = true;  // as in a pair of [pair]
+  return bodies;
+}
+
+/// Keys that stand beside [[body]] only, or without them only, and those of a material that another one overrules.
+bool left_out(const Key& key, const Input& input) {
+  if (key.section == "run") return input.bodies.empty();
+  if (key.section == "pair" || key.section == "impact") return !input.bodies.empty();
+  return is_material(key.section) && overruled(material_of(key.section, const_cast<Input&>(input)), key.name);
+}
+
+/// Why the value of a key changes with others.
+const char* remark(const std::string& section) {
+  if (section == "second" || section == "wall") return "# each defaults to the key of [material]\n";
+  if (section == "contact")
+    return "# hertz and linear end at \"touch\", are damped on \"overlap\" and have tangential_radius = \"overlap\"\n";
+  return "";
 }
 
 }  // namespace
 
 Input resolve_input(const std::vector<Assignment>& all) {
-  std::vector<Assignment> given;  // the last word on each key, where it was first named
+  Given given;  // the last word on each key, where it was first named
   for (const Assignment& item : all) {
     const auto same = std::find_if(given.begin(), given.end(), [&](const Assignment& other) { return other.key == item.key; });
     same == given.end() ? given.push_back(item) : void(*same = item);
   }
   std::size_t bodies = 0;
   for (const Assignment& item : given) {
-    const bool named =
-        std::any_of(std::begin(materials), std::end(materials), [&](const char* m) { return item.key == std::string(m) + ".name"; });
+    const bool named = is_material(section_of(item.key)) && item.key == section_of(item.key) + ".name";
     bodies = std::max(bodies, body_index(item.key));
     if (!named && !find_key(item.key) && body_index(item.key) == 0) unknown(item);
   }
-  if (bodies > 2) {
-    const auto at = std::find_if(given.begin(), given.end(), [](const Assignment& item) { return body_index(item.key) > 2; });
-    throw InputError(fmt::format("{}: {}: found {} bodies; allowed: two [[body]] tables, or none", at->where.text, at->key, bodies));
+  if (bodies > most_bodies) {
+    const auto at = std::find_if(given.begin(), given.end(), [](const Assignment& item) { return body_index(item.key) > most_bodies; });
+    refuse_number_of_bodies(*at, bodies);
   }
   Input input;
-  input.bodies.resize(bodies);
+  input.bodies = blank_bodies(bodies);
   // Wrong values first, each in the order of the input, into a copy: what follows may then rely on them.
   for (const Assignment& item : given) {
     Input scratch = input;
@@ -142,9 +182,7 @@ Input resolve_input(const std::vector<Assignment>& all) {
   apply_material("second", input, given);
   apply_material("wall", input, given);
   for (const Assignment& item : given) {
-    const bool material = std::any_of(std::begin(materials), std::end(materials),
-                                      [&](const char* m) { return item.key.rfind(std::string(m) + ".", 0) == 0; });
-    if (material) continue;
+    if (is_material(section_of(item.key))) continue;
     body_index(item.key) > 0 ? apply_body(input, item) : apply(*find_key(item.key), input, item);
   }
   complete_and_check(input, given);
@@ -154,7 +192,7 @@ Input resolve_input(const std::vector<Assignment>& all) {
 std::string write_input(const Input& input) {
   std::string text, section;
   for (const Key& key : keys()) {
-    if (!input.bodies.empty() && (key.section == "pair" || key.section == "impact")) continue;
+    if (left_out(key, input)) continue;
     if (key.section != section) {
       text += fmt::format("{}[{}]\n", section.empty() ? "" : "\n", key.section);
       section = key.section;
@@ -169,29 +207,33 @@ std::string write_input(const Input& input) {
 }
 
 std::string describe_keys() {
-  const Input defaults;
+  Input defaults;
   std::string text =
                   "# Every key with its default, in SI units. name = \"...\" in [material], [second] or [wall] takes a material of "
                   "data/materials.\n",
               section;
-  const auto line = [&](const Key& key, const std::string& value) {
-    text += fmt::format("{:<40} # [{}] {}; allowed: {}\n", fmt::format("{} = {}", key.name, value), key.unit, key.meaning, key.allowed);
+  const auto line = [&](const std::string& start, const Key& key, const std::string& value) {
+    text += fmt::format("{:<40} # [{}] {}; allowed: {}\n", fmt::format("{}{} = {}", start, key.name, value), key.unit, key.meaning,
+                        key.allowed);
   };
   for (const Key& key : keys()) {
-    if (key.section != section) {
-      text += fmt::format("\n[{}]\n", section = key.section);
-      if (section == "second" || section == "wall") text += "# each defaults to the key of [material]\n";
-      if (section == "contact") text += "# hertz and linear end at \"touch\" and are damped on \"overlap\"\n";
-    }
-    line(key, to_toml(key.get(defaults)));
+    if (left_out(key, defaults)) continue;
+    if (key.section != section) text += fmt::format("\n[{}]\n{}", section = key.section, remark(key.section));
+    line("", key, to_toml(key.get(defaults)));
   }
-  text += "\n# Two [[body]] tables may stand in place of [pair] and [impact]; position and radius have no default.\n";
-  Input with_body;
-  with_body.bodies.resize(1);
-  text += "# [[body]]\n";
-  for (const Key& key : body_keys(0))
-    text += fmt::format("# {:<38} # [{}] {}; allowed: {}\n", key.name == "velocity" ? "velocity = [0, 0, 0]" : key.name + " =", key.unit,
-                        key.meaning, key.allowed);
+  text +=
+      fmt::format("\n# {} to {} [[body]] tables may stand in place of [pair] and [impact], and [run] beside them; {} have no default.\n",
+                  fewest_bodies, most_bodies, fmt::join(required_body_keys, " and "));
+  defaults.bodies.resize(1);
+  std::vector<Key> beside = body_keys(0);
+  std::copy_if(keys().begin(), keys().end(), std::back_inserter(beside), [](const Key& key) { return key.section == "run"; });
+  for (const Key& key : beside) {
+    const bool body = key.section == "body";
+    if (key.section != section) text += body ? "# [[body]]\n" : "# [run]\n";
+    section = key.section;
+    const bool required = body && std::count(std::begin(required_body_keys), std::end(required_body_keys), key.name) > 0;
+    line("# ", key, required ? "" : to_toml(key.get(defaults)));
+  }
   return text;
 }
 

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include <scalebreak/scene/bounds.hpp>
 #include <scalebreak/scene/input.hpp>
 #include <scalebreak/scene/value.hpp>
 
@@ -26,19 +27,10 @@ struct Key {
 /// All keys but those of [[body]], in the order in which an input is written.
 [[nodiscard]] const std::vector<Key>& keys();
 
-/// The keys of one [[body]]: position, velocity, radius.
+/// The keys of one [[body]].
 [[nodiscard]] std::vector<Key> body_keys(std::size_t index);
 
-/// Bounds of a number: finite, and open or closed at the lower end.
-struct Bounds {
-  double low, high;
-  bool low_allowed = true;
-
-  [[nodiscard]] bool contain(double value) const { return (low_allowed ? value >= low : value > low) && value <= high; }
-  [[nodiscard]] std::string text() const;
-};
-
-/// The documented bounds of a numeric key (of each element of an array); throws WorkError for other keys.
-[[nodiscard]] Bounds bounds_of(std::string_view dotted);
+/// Those of them that have no default.
+inline constexpr std::string_view required_body_keys[] = {"position", "radius"};
 
 }  // namespace scalebreak

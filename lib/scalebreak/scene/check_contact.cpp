@@ -1,0 +1,116 @@
+#include <scalebreak/scene/check_contact.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include <scalebreak/base/error.hpp>
+#include <scalebreak/material/pair.hpp>
+#include <scalebreak/scene/check_bodies.hpp>
+
+namespace scalebreak {
+namespace {
+
+constexpr const char* other_rolling = "rolling = \"none\", \"cdt\", \"epsd\" or \"epsd2\"";
+
+/// A word of [contact] that does not go with the rest: contact.KEY = "WORD" needs NEEDS, and BUT; allowed: ALLOWED.
+struct Refusal {
+  std::string key, word;
+  std::string needs, but, allowed;
+};
+
+[[noreturn]] void refuse(const Given& given, const Refusal& refusal) {
+  const auto& [key, word, needs, but, allowed] = refusal;
+  throw InputError(fmt::format("{}contact.{} = \"{}\" needs {}, and {}; allowed: {}",
+                               place(given, {"contact." + key, "contact.attraction", "contact.normal"}), key, word, needs, but, allowed));
+}
+
+void refuse_linear(const Given& given, const std::string& key, const std::string& word, const std::string& allowed) {
+  refuse(given, {key, word, "a contact radius", "contact.normal = \"linear\" has none", allowed + ", or normal = \"hertz\" or \"jkr\""});
+}
+
+/// A linear contact has no radius that a law could work on.
+void check_linear(const Input& input, const Given& given) {
+  if (find_given(given, "contact.damping_on") && input.contact.damping_on == DampingOn::contact_radius)
+    refuse_linear(given, "damping_on", "contact_radius", "\"overlap\"");
+  if (find_given(given, "contact.tangential_radius") && input.surface.tangential == TangentialModel::mindlin &&
+      input.surface.tangential_radius == DampingOn::contact_radius)
+    refuse_linear(given, "tangential_radius", "contact_radius", "\"overlap\"");
+  if (input.surface.rolling == RollingModel::ar) refuse_linear(given, "rolling", "ar", other_rolling);
+}
+
+/// Two bodies that meet, as far as their surfaces go.
+struct Meeting {
+  SurfacePair surfaces;
+  double radius;  ///< the smaller
+  std::string who;
+};
+
+std::vector<Meeting> meetings(const Input& input) {
+  if (!input.bodies.empty()) {
+    std::vector<Meeting> all;
+    for (const auto& [i, j] : meeting_pairs(input)) {
+      const Body &a = input.bodies[i], &b = input.bodies[j];
+      all.push_back({sphere_surfaces(input.material_of(a), a.radius, input.material_of(b), b.radius), std::min(a.radius, b.radius),
+                     fmt::format("body.{} and body.{}", i + 1, j + 1)});
+    }
+    return all;
+  }
+  const double radius = input.radius[0];
+  if (input.against_wall)
+    return {{wall_surfaces(input.material, radius, input.wall), radius,
+             input.wall.attraction ? "the sphere and the wall" : "the sphere and a wall with attraction = false"}};
+  return {{sphere_surfaces(input.material, radius, input.second, input.radius[1]), std::min(radius, input.radius[1]), "the two spheres"}};
+}
+
+void check_liquid(const SurfaceKind& kind, const Meeting& meeting, const Given& given) {
+  const std::string word = to_string(kind.attraction);
+  const bool bridge = kind.attraction_range == AttractionRange::bridge;
+  const auto none_between = [&](const char* what) { return fmt::format("{} between {} is 0", what, meeting.who); };
+  if (kind.capillary() && meeting.surfaces.surface_tension == 0)
+    refuse(given, {"attraction", word, "surface tension", none_between("the surface_tension"), "above 0, or attraction = \"none\""});
+  if (kind.viscous() && meeting.surfaces.viscosity == 0)
+    refuse(given, {"attraction", word, "viscosity", none_between("the viscosity"), "above 0, or attraction = \"none\""});
+  const double volume = meeting.surfaces.bridge_volume;
+  const std::string more = "a liquid_volume or liquid_fraction above 0, or ";
+  if (kind.capillary() && volume == 0)
+    refuse(given, {"attraction", word, "liquid", none_between("its volume"), more + "attraction = \"none\""});
+  if (bridge && volume == 0)
+    refuse(given, {"attraction_range", "bridge", "liquid", none_between("its volume"), more + "attraction_range = \"contact\""});
+  // The rupture distance of Lian et al. 1993, with the contact angle in radians.
+  const double rupture = (1 + meeting.surfaces.contact_angle / 2) * std::cbrt(volume);
+  if (bridge && rupture >= meeting.radius) {
+    refuse(given, {"attraction_range", "bridge", "small bridges",
+                   fmt::format("that of {:g} m3 between {} ruptures at {:g} m, which is not below the radius of {:g} m", volume,
+                               meeting.who, rupture, meeting.radius),
+                   "less liquid, or attraction_range = \"contact\""});
+  }
+}
+
+}  // namespace
+
+void check_contact(Input& input, const Given& given) {
+  const NormalModel normal = input.contact.normal;
+  if (normal == NormalModel::jkr) return;
+  if (find_given(given, "contact.adhesion_range") && input.contact.range != AdhesionRange::touch) {
+    refuse(given, {"adhesion_range", to_string(input.contact.range), "adhesion",
+                   fmt::format("contact.normal = \"{}\" has none", to_string(normal)), "\"touch\", or normal = \"jkr\""});
+  }
+  if (normal == NormalModel::linear) check_linear(input, given);
+  // A Hertz contact has a = √(R* δ), and a linear one no radius but that.
+  input.contact = canonical(input.contact);
+  input.surface.tangential_radius = DampingOn::overlap;
+}
+
+void check_surfaces(const Input& input, const Given& given) {
+  for (const Meeting& meeting : meetings(input)) {
+    if (input.surface.rolling == RollingModel::ar && meeting.surfaces.surface_energy == 0) {
+      refuse(given, {"rolling", "ar", "adhesion", fmt::format("the surface_energy between {} is 0", meeting.who),
+                     std::string("above 0, or ") + other_rolling});
+    }
+    if (input.surface.attraction != Attraction::none) check_liquid(input.surface, meeting, given);
+  }
+}
+
+}  // namespace scalebreak
