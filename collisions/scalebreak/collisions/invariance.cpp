@@ -111,7 +111,7 @@ InvarianceStudy run_invariance(const Input& input, int threads, const std::funct
   parallel_for(cells.size(), threads, [&](std::size_t c) {
     const ScaledContact scaled(input.contact, input.colliding(), *cells[c].law, cells[c].factor);
     const auto stick = scaled.sticking_speed(input.tolerance);
-    const double radius = scaled_bodies(*cells[c].law, cells[c].factor, input.colliding()).pair().radius;
+    const double radius = scaled_bodies(*cells[c].law, cells[c].factor, input.colliding(), input.contact.normal).pair().radius;
     Result& result = results[c];
     result.exact = same_reduced_numbers(original, scaled);
     if (study.sticking_speed && *study.sticking_speed > 0 && stick && *stick > 0) {

@@ -103,7 +103,7 @@ std::string readable(std::string name) {
 std::string loops_csv(const InvarianceChapter& chapter, double speed) {
   Csv csv({"law", "factor [-]", "overlap_reduced [-]", "force_reduced [-]"});
   const auto add = [&](const std::string& name, const ScalingLaw& law, double factor) {
-    const Bodies scaled_system = scaled_bodies(law, factor, chapter.input.colliding());
+    const Bodies scaled_system = scaled_bodies(law, factor, chapter.input.colliding(), chapter.input.contact.normal);
     const ScaledContact contact(chapter.input.contact, chapter.input.colliding(), law, factor);
     const NormalPair& pair = contact.scaled().pair;
     const bool linear = contact.kind().normal == NormalModel::linear;

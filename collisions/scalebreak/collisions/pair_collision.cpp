@@ -20,7 +20,7 @@ struct Start {
 Start start_of(const Input& input, const ScalingLaw& law) {
   Start start{input.colliding(), input.normal_speed, {}, {}};
   const double factor = input.scaling_factor, size = size_factor(law, factor);
-  const Bodies scaled = scaled_bodies(law, factor, start.original);
+  const Bodies scaled = scaled_bodies(law, factor, start.original, input.contact.normal);
   start.mass = {sphere_mass(scaled.radius[0], scaled.first.density)};
   start.mass.push_back(scaled.against_wall() ? INFINITY : sphere_mass(scaled.radius[1], scaled.second.density));
   if (input.bodies.empty()) {
@@ -72,7 +72,7 @@ double end_overlap(const ContactKind& kind) {
 }  // namespace
 
 ScaledContact::ScaledContact(const ContactKind& kind, const Bodies& original, const ScalingLaw& law, double factor)
-    : kind_(kind), scaled_(scaled_pair(law, factor, original)) {
+    : kind_(kind), scaled_(scaled_pair(law, factor, original, kind.normal)) {
   kind_ = effective_kind(kind, scaled_.pair.surface_energy);
 }
 
@@ -123,7 +123,7 @@ CollisionResult resolve_collision(const Input& input) {
   const ScaledContact contact(input.contact, start.original, law, input.scaling_factor);
   CollisionResult result{.collision = contact.collide(start.speed, input.tolerance, true), .speed = start.speed};
   result.collision.sticking_speed = contact.sticking_speed(input.tolerance);
-  const Bodies scaled = scaled_bodies(law, input.scaling_factor, start.original);
+  const Bodies scaled = scaled_bodies(law, input.scaling_factor, start.original, input.contact.normal);
   result.deep = result.collision.max_overlap > deep_overlap * scaled.pair().radius;
   double distance = scaled.radius[0] + (scaled.against_wall() ? 0.0 : scaled.radius[1]);
   if (!result.collision.stuck)

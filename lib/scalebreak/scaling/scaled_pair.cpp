@@ -8,16 +8,20 @@ NormalPair Bodies::pair() const {
   return against_wall() ? wall_pair(first, radius[0], wall) : sphere_pair(first, radius[0], second, radius[1]);
 }
 
-Bodies scaled_bodies(const ScalingLaw& law, double factor, Bodies bodies) {
-  bodies.first = scaled_material(law, factor, bodies.first);
-  bodies.second = scaled_material(law, factor, bodies.second);
-  bodies.wall.material = scaled_material(law, factor, bodies.wall.material);
+SurfacePair Bodies::surfaces() const {
+  return against_wall() ? wall_surfaces(first, radius[0], wall) : sphere_surfaces(first, radius[0], second, radius[1]);
+}
+
+Bodies scaled_bodies(const ScalingLaw& law, double factor, Bodies bodies, NormalModel normal) {
+  bodies.first = scaled_material(law, factor, bodies.first, normal);
+  bodies.second = scaled_material(law, factor, bodies.second, normal);
+  bodies.wall.material = scaled_material(law, factor, bodies.wall.material, normal);
   for (double& radius : bodies.radius) radius *= size_factor(law, factor);
   return bodies;
 }
 
-ScaledPair scaled_pair(const ScalingLaw& law, double factor, const Bodies& original) {
-  if (!law.direct_force) return {.pair = scaled_bodies(law, factor, original).pair()};
+ScaledPair scaled_pair(const ScalingLaw& law, double factor, const Bodies& original, NormalModel normal) {
+  if (!law.direct_force) return {.pair = scaled_bodies(law, factor, original, normal).pair()};
   NormalPair pair = original.pair();
   const double inertia = std::pow(factor, 3 - law.overlap - law.force);
   pair.mass *= inertia;

@@ -16,10 +16,11 @@ struct Bodies {
 
   [[nodiscard]] bool against_wall() const { return radius.size() == 1; }
   [[nodiscard]] NormalPair pair() const;
+  [[nodiscard]] SurfacePair surfaces() const;
 };
 
-/// The bodies of the scaled system.
-[[nodiscard]] Bodies scaled_bodies(const ScalingLaw& law, double factor, Bodies bodies);
+/// The bodies of the scaled system, beside a normal contact.
+[[nodiscard]] Bodies scaled_bodies(const ScalingLaw& law, double factor, Bodies bodies, NormalModel normal);
 
 /// How a scaled pair collides in the normal direction: as `pair`, with what turns that pair's overlaps, times and
 /// forces into the scaled system's. Speeds are the same in both.
@@ -33,6 +34,6 @@ struct ScaledPair {
   double force = 1;
 };
 
-[[nodiscard]] ScaledPair scaled_pair(const ScalingLaw& law, double factor, const Bodies& original);
+[[nodiscard]] ScaledPair scaled_pair(const ScalingLaw& law, double factor, const Bodies& original, NormalModel normal);
 
 }  // namespace scalebreak

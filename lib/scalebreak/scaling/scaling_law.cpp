@@ -66,7 +66,7 @@ double size_factor(const ScalingLaw& law, double factor) {
   return law.factor_of == FactorOf::stiffness ? 1.0 : law.factor_of == FactorOf::size ? factor : std::max(factor, 1.0);
 }
 
-Material scaled_material(const ScalingLaw& law, double factor, Material material) {
+Material scaled_material(const ScalingLaw& law, double factor, Material material, NormalModel normal) {
   // Without a law, a factor above 1 enlarges and leaves the material alone.
   if (law.factor_of == FactorOf::stiffness_or_size && factor > 1) return material;
   material.young *= std::pow(factor, law.young);
@@ -74,6 +74,9 @@ Material scaled_material(const ScalingLaw& law, double factor, Material material
   material.spring_constant_tangential *= std::pow(factor, law.spring_constant);
   material.surface_energy *= std::pow(factor, law.surface_energy);
   material.rolling_angle_max *= std::pow(factor, law.rolling_angle_max);
+  const double liquid = std::pow(factor, normal == NormalModel::linear ? law.liquid_linear : law.liquid);
+  material.surface_tension *= liquid;
+  material.viscosity *= liquid;
   return material;
 }
 

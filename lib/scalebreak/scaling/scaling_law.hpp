@@ -41,8 +41,9 @@ struct ScalingLaw {
 /// The law of a name, or nullptr.
 [[nodiscard]] const ScalingLaw* find_scaling_law(std::string_view name);
 
-/// The material of the scaled system: parameter laws change it, the others leave it alone.
-[[nodiscard]] Material scaled_material(const ScalingLaw& law, double factor, Material material);
+/// The material of the scaled system beside a normal contact: parameter laws change it, the others leave it alone. The liquid's
+/// forces are multiplied by what multiplies its surface tension and viscosity.
+[[nodiscard]] Material scaled_material(const ScalingLaw& law, double factor, Material material, NormalModel normal);
 
 /// How much larger the scaled particles are.
 [[nodiscard]] double size_factor(const ScalingLaw& law, double factor);
