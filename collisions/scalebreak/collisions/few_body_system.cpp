@@ -241,7 +241,7 @@ void FewBodySystem::first_modes(State& y, std::size_t c) {
   little[base + coordinate] += link.rooted ? 0.0 : share * scales.coordinate;
   evaluate(little);
   Evaluated& e = evaluated_[c];
-  const double time = e.approach > 0 ? e.overlap / e.approach : 0.0;
+  const double time = e.approach > 0 ? e.point.overlap / e.approach : 0.0;
   if (mapped.laws.tangential.acts()) {
     Slider<3> slider{time * e.slide_speed};
     if (slider.end_of_grip(e.slide_law, e.slide_speed, {}, 0.0) > 0) {
@@ -447,7 +447,7 @@ double FewBodySystem::largest_force(const State& y) {
   double largest = 0;
   if (!links_.empty()) evaluate(y);
   for (std::size_t c = 0; c < links_.size(); ++c) {
-    largest = std::max(largest, laws_[links_[c].pair].force * (evaluated_[c].elastic + evaluated_[c].damping * evaluated_[c].approach));
+    largest = std::max(largest, laws_[links_[c].pair].force * evaluated_[c].normal.total);
   }
   return largest;
 }
