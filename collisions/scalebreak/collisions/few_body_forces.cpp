@@ -257,7 +257,8 @@ void FewBodySystem::operator()(const State& y, State& rate, double) {
         } else if (link.roll == Grip::slides) {  // its history is the direction of the rolling itself
           const Vector3d along = e.roll.direction();
           const double speed = along.dot(e.roll_speed);
-          if (speed != 0) own = (e.roll_acceleration - along * along.dot(e.roll_acceleration)) / speed;
+          const double floor = direction_floor * scales_[link.pair].roll;
+          own = (e.roll_acceleration - along * along.dot(e.roll_acceleration)) * speed / (speed * speed + floor * floor);
         }
         put(rate, base + roll, turned(own, e.roll.history));
         rate[base + rolling_work] = time_rate_ * mapped.torque / mapped.spin * e.torque.dot(e.roll_speed);
@@ -276,7 +277,8 @@ double FewBodySystem::roll_event(const Link& link, const Evaluated& e) const {
   const Rolling& rolling = laws_[link.pair].laws.rolling;
   if (!rolling.acts()) return -1;
   if (rolling.rigid()) {
-    return link.roll == Grip::slides ? 1e-13 * scales_[link.pair].roll - e.roll.direction().dot(e.roll_speed)
+    // A little past zero: what has just been let go starts there.
+    return link.roll == Grip::slides ? -1e-13 * scales_[link.pair].roll - e.roll.direction().dot(e.roll_speed)
                                      : e.torque.norm() - e.roll_law.limit * (1 + 1e-11);
   }
   return e.roll.end_of_grip(e.roll_law, e.roll_speed, e.roll_acceleration, time_rate_ * laws_[link.pair].length);

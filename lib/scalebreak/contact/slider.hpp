@@ -136,4 +136,13 @@ struct Slider {
   }
 };
 
+/// The slider of a contact that begins at `speed`: what it does from its first instant is asked at `law`, `time` later.
+template <int D>
+[[nodiscard]] Slider<D> first_slider(const SliderLaw& law, const Tangent<D>& speed, double time) {
+  Slider<D> stretched{Tangent<D>((law.incremental ? law.stiffness * time : time) * speed)};
+  if (!(stretched.end_of_grip(law, speed, Tangent<D>::Zero(), 0.0) > 0)) return {};
+  stretched.slip(law, speed, speed);
+  return stretched;
+}
+
 }  // namespace scalebreak
