@@ -50,7 +50,7 @@ class PlanarSystem {
     const double speed = std::max(scales_.speed, 0.1 * along);
     scale_ = {root_unit_,       scales_.coordinate, scales_.speed, speed, speed / lever, speed / lever, scales_.overlap, scales_.overlap / laws_.radius,
               scales_.time,     scales_.overlap,    1e-3};
-    if (std::isfinite(pair.distance)) scale_[turned] = scales_.overlap / pair.distance;
+    if (std::isfinite(pair.distance)) scale_[turned] = std::abs(scales_.overlap / pair.distance);
     if (laws_.rolling.model == RollingModel::epsd || laws_.rolling.model == RollingModel::epsd2) {
       const ContactPoint deep{.overlap = scales_.overlap, .root = scales_.coordinate,
                               .overlap_root = std::sqrt(std::sqrt(laws_.radius)) * root_unit_, .load = 0};
@@ -103,7 +103,7 @@ class PlanarSystem {
 
   void event_values(const State& y, Values& values) {
     evaluate(y);
-    rates(y);
+    if (slide_.grip == Grip::slides || roll_.grip == Grip::slides) rates(y);  // what holds is asked for its force alone
     values.fill(-1.0);
     values[phase_end] = rooted_ ? -y[root] / root_unit_ : (law_.separation() - y[coordinate]) / scales_.coordinate;
     if (!rooted_ && laws_.needs_overlap_root()) values[phase_begin] = (y[coordinate] - law_.touch()) / scales_.coordinate;
@@ -272,7 +272,7 @@ ObliqueOutcome resolve(const Law& law, const ObliquePair& pair, const ObliqueImp
   auto y = system.start(impact, outcome);
   // What a slow pair has left at separation is the small difference of larger energies.
   const double share = impact.normal_speed / system.scale(approach);
-  EventIntegrator<System, boost::numeric::odeint::array_algebra> integrator(system, std::max(1e-15, tolerance / 2 * share * share), 0.05);
+  EventIntegrator<System, boost::numeric::odeint::array_algebra> integrator(system, std::max(1e-15, 2 * tolerance * share * share), 0.05);
   for (int events = 0; events < 10'000;) {
     const int event = integrator.advance(y);
     if (event < 0) continue;

@@ -33,7 +33,7 @@ struct Slider {
   Grip grip = Grip::holds;
 
   /// The force against `speed`.
-  [[nodiscard]] Tangent<D> force(const SliderLaw& law, const Tangent<D>& speed) const {
+  [[nodiscard, gnu::always_inline]] Tangent<D> force(const SliderLaw& law, const Tangent<D>& speed) const {
     switch (grip) {
       case Grip::holds: return spring(law, speed) + law.damping * speed;
       case Grip::slides: return law.limit * direction();
