@@ -69,9 +69,7 @@ class EventIntegrator {
   }
 
   /// The motion has changed its law: no longer what the last steps were like.
-  void restart() {
-    last_root_ = 1;
-  }
+  void restart() { last_root_ = 1; }
   void limit_step(double longest) { max_step_ = longest; }
   [[nodiscard]] int steps() const { return steps_; }
 

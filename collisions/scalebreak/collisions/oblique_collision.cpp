@@ -14,7 +14,20 @@
 namespace scalebreak {
 namespace {
 
-enum Component : std::size_t { root, coordinate, approach, sliding, spin1, spin2, slide_history, roll_history, time, displacement, turned, components };
+enum Component : std::size_t {
+  root,
+  coordinate,
+  approach,
+  sliding,
+  spin1,
+  spin2,
+  slide_history,
+  roll_history,
+  time,
+  displacement,
+  turned,
+  components
+};
 
 /// How large each quantity of a collision is.
 struct Scales {
@@ -25,7 +38,8 @@ template <class Law>
 Scales scales_of(const Law& law, double mass, double speed) {
   // The coordinate that the energy of the impact, or the depth of the well, reaches.
   double bottom = 0;
-  if constexpr (!std::is_same_v<Law, Linear<double>> && !std::is_same_v<Law, Hertz<double>>) bottom = std::cbrt(law.adhesive_force / law.stiffness);
+  if constexpr (!std::is_same_v<Law, Linear<double>> && !std::is_same_v<Law, Hertz<double>>)
+    bottom = std::cbrt(law.adhesive_force / law.stiffness);
   const double depth = bottom > 0 ? -law.energy(bottom) : 0.0, wanted = mass * speed * speed / 2;
   double x = bottom > 0 ? bottom : 1e-12;
   while (law.energy(x) < wanted) x *= 1.25;
@@ -46,14 +60,26 @@ class PlanarSystem {
     rooted_ = laws_.needs_overlap_root();
     root_unit_ = std::sqrt(std::sqrt(scales_.overlap));
     const double lever = pair.wall ? pair.radius[0] : std::min(pair.radius[0], pair.radius[1]);
-    const double along = std::abs(impact.tangential_speed) + pair.radius[0] * std::abs(impact.spin[0]) + pair.radius[1] * std::abs(impact.spin[1]);
+    const double along =
+        std::abs(impact.tangential_speed) + pair.radius[0] * std::abs(impact.spin[0]) + pair.radius[1] * std::abs(impact.spin[1]);
     const double speed = std::max(scales_.speed, 0.1 * along);
-    scale_ = {root_unit_,       scales_.coordinate, scales_.speed, speed, speed / lever, speed / lever, scales_.overlap, scales_.overlap / laws_.radius,
-              scales_.time,     scales_.overlap,    1e-3};
+    scale_ = {root_unit_,
+              scales_.coordinate,
+              scales_.speed,
+              speed,
+              speed / lever,
+              speed / lever,
+              scales_.overlap,
+              scales_.overlap / laws_.radius,
+              scales_.time,
+              scales_.overlap,
+              1e-3};
     if (std::isfinite(pair.distance)) scale_[turned] = std::abs(scales_.overlap / pair.distance);
     if (laws_.rolling.model == RollingModel::epsd || laws_.rolling.model == RollingModel::epsd2) {
-      const ContactPoint deep{.overlap = scales_.overlap, .root = scales_.coordinate,
-                              .overlap_root = std::sqrt(std::sqrt(laws_.radius)) * root_unit_, .load = 0};
+      const ContactPoint deep{.overlap = scales_.overlap,
+                              .root = scales_.coordinate,
+                              .overlap_root = std::sqrt(std::sqrt(laws_.radius)) * root_unit_,
+                              .load = 0};
       scale_[roll_history] *= std::max(laws_.rolling.at(deep, {}).stiffness, std::numeric_limits<double>::min());
     }
     clock_ = (rooted_ ? root_unit_ : scales_.coordinate) / scales_.speed;
@@ -233,7 +259,8 @@ class PlanarSystem {
     dt_ = normal_.slope * clock_;
     const double root_rate = clock_ * y[approach];
     const double coordinate_rate = rooted_ ? dt_ * y[approach] / normal_.coordinate_slope : root_rate;
-    ContactPoint rate = point_rate(law_, normal_, rooted_, y[coordinate], coordinate_rate, root_rate, y[approach], dt_ * approach_rate_, laws_.radius);
+    ContactPoint rate =
+        point_rate(law_, normal_, rooted_, y[coordinate], coordinate_rate, root_rate, y[approach], dt_ * approach_rate_, laws_.radius);
     rate.load *= load_sign_;
     if (laws_.tangential.acts()) {
       slide_law_ = laws_.tangential.at(normal_.point, rate);
@@ -297,7 +324,8 @@ ObliqueOutcome resolve(const Law& law, const ObliquePair& pair, const ObliqueImp
 }  // namespace
 
 ObliqueOutcome resolve_oblique_collision(const ObliquePair& pair, const ObliqueImpact& impact, double tolerance) {
-  if (!(impact.normal_speed > 0) || !std::isfinite(impact.normal_speed)) throw WorkError("an oblique collision needs a positive normal speed");
+  if (!(impact.normal_speed > 0) || !std::isfinite(impact.normal_speed))
+    throw WorkError("an oblique collision needs a positive normal speed");
   return std::visit([&](const auto& law) { return resolve(law, pair, impact, tolerance); }, pair.laws.normal);
 }
 

@@ -10,10 +10,10 @@ namespace scalebreak {
 /// Two bodies that collide in one plane: friction and rolling, no liquid. SI, or any consistent units.
 struct ObliquePair {
   ContactLaws laws;
-  double mass = 0;                                                      ///< m*
-  std::array<double, 2> radius = {0, 0};                                ///< the second 0 for a wall
-  std::array<double, 2> inertia = {0, 0};                               ///< about the centres; infinite for a wall
-  double distance = std::numeric_limits<double>::infinity();            ///< of the centres at first touch; infinite: the normal never turns
+  double mass = 0;                                            ///< m*
+  std::array<double, 2> radius = {0, 0};                      ///< the second 0 for a wall
+  std::array<double, 2> inertia = {0, 0};                     ///< about the centres; infinite for a wall
+  double distance = std::numeric_limits<double>::infinity();  ///< of the centres at first touch; infinite: the normal never turns
   bool wall = false;
 };
 
@@ -35,9 +35,9 @@ struct ObliqueOutcome {
   double displacement = 0;  ///< ∫ v_t dt over the contact
   double turned = 0;        ///< angle by which the line of centres turned, ∫ v_t/d dt [rad]
   double max_overlap = 0;
-  int slips = 0;            ///< times that it began to slide, the first instant included
-  int holds = 0;            ///< times that it stopped sliding
-  int rolls = 0;            ///< times that its rolling spring reached its limit
+  int slips = 0;  ///< times that it began to slide, the first instant included
+  int holds = 0;  ///< times that it stopped sliding
+  int rolls = 0;  ///< times that its rolling spring reached its limit
   bool sliding_at_end = false;
   int steps = 0;
 };

@@ -20,7 +20,8 @@ struct NormalPoint {
 
 /// At x, and at `root` = δ^{1/4} if the contact is `rooted` (a law is smooth in that alone). `radius` is R*, `approach` dδ/dt.
 template <class Law>
-[[nodiscard, gnu::always_inline]] inline NormalPoint normal_point(const Law& law, bool rooted, double x, double root, double approach, double radius) {
+[[nodiscard, gnu::always_inline]] inline NormalPoint normal_point(const Law& law, bool rooted, double x, double root, double approach,
+                                                                  double radius) {
   NormalPoint n;
   n.coordinate_slope = law.overlap_slope(x);
   n.slope = rooted ? 4 * root * root * root : n.coordinate_slope;
