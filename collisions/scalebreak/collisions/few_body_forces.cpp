@@ -17,6 +17,9 @@ using Eigen::Vector3d;
 /// size in the scene it is let be, which costs an impulse of the square of this.
 constexpr double direction_floor = 1e-6;
 
+/// The same of the direction of a rolling that begins or ends, as a share of the rolling speed of the scene.
+constexpr double rolling_floor = 1e-9;
+
 Vector3d at(const FewBodySystem::State& y, std::size_t i) { return {y[i], y[i + 1], y[i + 2]}; }
 
 void put(FewBodySystem::State& y, std::size_t i, const Vector3d& v) {
@@ -278,8 +281,8 @@ void FewBodySystem::operator()(const State& y, State& rate, double) {
           own = e.roll.rate(e.roll_law, e.roll_speed, e.roll_acceleration, original_time);
         } else if (link.roll == Grip::slides) {  // its history is the direction of the rolling itself
           const Vector3d along = e.roll.direction();
-          const double speed = along.dot(e.roll_speed);
-          if (speed != 0) own = (e.roll_acceleration - along * along.dot(e.roll_acceleration)) / speed;
+          const double speed = along.dot(e.roll_speed), floor = rolling_floor * scales_[link.pair].roll;
+          own = (e.roll_acceleration - along * along.dot(e.roll_acceleration)) * speed / (speed * speed + floor * floor);
         }
         put(rate, base + roll, turned(own, e.roll.history));
         rate[base + rolling_work] = time_rate_ * mapped.torque / mapped.spin * e.torque.dot(e.roll_speed);
