@@ -320,7 +320,8 @@ void FewBodySystem::event_values(const State& y, Values& values) {
     if (link.touching) {
       const double touch = std::visit([](const auto& law) { return law.touch(); }, laws.normal);
       const double end = std::visit([](const auto& law) { return law.separation(); }, laws.normal);
-      set(LinkEvent::phase_end, link.rooted ? -e.root / scales.root : (end - e.coordinate) / scales.coordinate);
+      set(LinkEvent::phase_end,
+          link.rooted ? end_share - e.root / scales.root : (end - e.coordinate) / scales.coordinate + (flat_touch(laws) ? end_share : 0.0));
       if (!link.rooted && laws.needs_overlap_root()) set(LinkEvent::phase_begin, (e.coordinate - touch) / scales.coordinate);
       if (laws.tangential.acts()) {
         set(LinkEvent::slide, e.slide.end_of_grip(e.slide_law, e.slide_speed, e.slide_acceleration, time_rate_ * laws_[link.pair].length));

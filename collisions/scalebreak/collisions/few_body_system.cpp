@@ -218,8 +218,9 @@ void FewBodySystem::touch(State& y, std::size_t i, std::size_t j, std::vector<Ch
   link.load_sign = 1;
   link.slide = link.roll = Grip::holds;
   const std::size_t base = link_at(c);
-  y[base + root] = 0;
+  y[base + root] = link.rooted ? begin_share * scales_[pair].root : 0.0;
   y[base + coordinate] = std::visit([](const auto& law) { return law.touch(); }, laws.normal);
+  if (flat_touch(laws)) y[base + coordinate] = begin_share * scales_[pair].coordinate;
   put(y, base + slide, Vector3d::Zero());
   put(y, base + roll, Vector3d::Zero());
   link.normal_at_touch = geometry(y, i, j).normal;
@@ -374,7 +375,7 @@ std::vector<FewBodySystem::Change> FewBodySystem::apply(std::size_t k, State& y)
     }
     case LinkEvent::phase_begin:
       link.rooted = true;
-      y[link_at(c) + root] = 0;
+      y[link_at(c) + root] = begin_share * scales_[link.pair].root;
       y[link_at(c) + coordinate] = std::visit([](const auto& law) { return law.touch(); }, laws.normal);
       break;
     case LinkEvent::slide: {
