@@ -23,9 +23,9 @@ class Motion {
 
   MotionOutcome run() {
     observe();
-    std::vector<FewBodySystem::Change> changes;
     while (!system_.duration_over()) {
       if (system_.links().empty()) {
+        std::vector<FewBodySystem::Change> changes;
         const bool meets = system_.fly(state_, changes);
         note(changes);
         observe();
@@ -54,7 +54,7 @@ class Motion {
       track();
       observe();
       if (event == Integrator::none) {
-        if (settled()) return outcome_.resting = true;
+        if (settled() || (outcome_.steps % steps_between_looks == 0 && at_rest())) return outcome_.resting = true;
         continue;
       }
       const auto last_links = system_.links();
@@ -62,7 +62,7 @@ class Motion {
       const auto changes = system_.apply(static_cast<std::size_t>(event), state_);
       note(changes);
       if (++events_ > event_cap) throw WorkError("the motion had 1000000 events; give a shorter duration");
-      if (options_.duration == 0 && system_.rests(state_)) return outcome_.resting = true;
+      if (at_rest()) return outcome_.resting = true;
       if (state_.size() != size || system_.duration_over()) {
         observe();
         return false;
@@ -73,14 +73,18 @@ class Motion {
 
   static constexpr int event_cap = 1'000'000;
   static constexpr int settled_steps = 30;
+  static constexpr int steps_between_looks = 20;
 
-  /// A contact that only creeps never turns back: what moves no more, step after step, rests.
+  bool at_rest() const { return options_.duration == 0 && system_.rests(state_); }
+
+  /// A contact that only creeps never turns back: what moves no more, step after step, rests. Time must go on meanwhile, which it
+  /// hardly does where several contacts begin at once.
   bool settled() {
     if (options_.duration > 0) return false;
-    const double moving = kinetic_energy(system_.bodies(state_));
-    still_ = std::abs(moving - last_kinetic_) < 1e-15 * moving + 1e-18 * outcome_.before.kinetic ? still_ + 1 : 0;
+    const double moving = kinetic_energy(system_.bodies(state_)), time = system_.time(state_);
+    if (std::abs(moving - last_kinetic_) >= 1e-15 * moving + 1e-18 * outcome_.before.kinetic) still_ = 0, still_since_ = time;
     last_kinetic_ = moving;
-    return still_ >= settled_steps;
+    return ++still_ > settled_steps && time - still_since_ > system_.time_unit();
   }
 
   void track() {
@@ -122,7 +126,7 @@ class Motion {
   FewBodySystem::State state_;
   MotionOutcome outcome_;
   double next_step_ = 0.02;
-  double last_kinetic_ = -1;
+  double last_kinetic_ = -1, still_since_ = 0;
   int still_ = 0, events_ = 0;
 };
 

@@ -16,6 +16,9 @@ using Eigen::Vector3d;
 /// size in the scene it is let be, which costs an impulse of the square of this.
 constexpr double direction_floor = 1e-6;
 
+/// The same of the direction of a rolling that begins or ends, as a share of the rolling speed of the scene.
+constexpr double rolling_floor = 1e-9;
+
 Vector3d at(const FewBodySystem::State& y, std::size_t i) { return {y[i], y[i + 1], y[i + 2]}; }
 
 void put(FewBodySystem::State& y, std::size_t i, const Vector3d& v) {
@@ -256,8 +259,7 @@ void FewBodySystem::operator()(const State& y, State& rate, double) {
           own = e.roll.rate(e.roll_law, e.roll_speed, e.roll_acceleration, original_time);
         } else if (link.roll == Grip::slides) {  // its history is the direction of the rolling itself
           const Vector3d along = e.roll.direction();
-          const double speed = along.dot(e.roll_speed);
-          const double floor = direction_floor * scales_[link.pair].roll;
+          const double speed = along.dot(e.roll_speed), floor = rolling_floor * scales_[link.pair].roll;
           own = (e.roll_acceleration - along * along.dot(e.roll_acceleration)) * speed / (speed * speed + floor * floor);
         }
         put(rate, base + roll, turned(own, e.roll.history));
@@ -297,7 +299,8 @@ void FewBodySystem::event_values(const State& y, Values& values) {
     if (link.touching) {
       const double touch = std::visit([](const auto& law) { return law.touch(); }, laws.normal);
       const double end = std::visit([](const auto& law) { return law.separation(); }, laws.normal);
-      set(LinkEvent::phase_end, link.rooted ? -e.root / scales.root : (end - e.coordinate) / scales.coordinate);
+      set(LinkEvent::phase_end,
+          link.rooted ? end_share - e.root / scales.root : (end - e.coordinate) / scales.coordinate + (flat_touch(laws) ? end_share : 0.0));
       if (!link.rooted && laws.needs_overlap_root()) set(LinkEvent::phase_begin, (e.coordinate - touch) / scales.coordinate);
       if (laws.tangential.acts()) {
         set(LinkEvent::slide, e.slide.end_of_grip(e.slide_law, e.slide_speed, e.slide_acceleration, time_rate_ * laws_[link.pair].length));

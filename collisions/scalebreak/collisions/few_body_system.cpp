@@ -218,8 +218,9 @@ void FewBodySystem::touch(State& y, std::size_t i, std::size_t j, std::vector<Ch
   link.load_sign = 1;
   link.slide = link.roll = Grip::holds;
   const std::size_t base = link_at(c);
-  y[base + root] = 0;
+  y[base + root] = link.rooted ? begin_share * scales_[pair].root : 0.0;
   y[base + coordinate] = std::visit([](const auto& law) { return law.touch(); }, laws.normal);
+  if (flat_touch(laws)) y[base + coordinate] = begin_share * scales_[pair].coordinate;
   put(y, base + slide, Vector3d::Zero());
   put(y, base + roll, Vector3d::Zero());
   link.normal_at_touch = geometry(y, i, j).normal;
@@ -317,6 +318,13 @@ void FewBodySystem::change_roll(State& y, std::size_t c, std::vector<Change>& ch
     const Evaluated& e = evaluated_[c];
     slider = {};
     if (e.torque.norm() > e.roll_law.limit) slider.slide_along(e.torque);
+    if (slider.grip == Grip::holds) {  // what little rolling is left would be held too; without it the angular momentum is the same
+      const std::size_t i = static_cast<std::size_t>(links_[c].first), j = static_cast<std::size_t>(links_[c].second);
+      const Vector3d left = e.at.normal.cross(e.roll_speed) / mapped.spin;
+      const double first = 1 / bodies_[i].inertia, second = 1 / bodies_[j].inertia;
+      put(y, body_at(i) + 6, at(y, body_at(i) + 6) - left * (first / (first + second)));
+      put(y, body_at(j) + 6, at(y, body_at(j) + 6) + left * (second / (first + second)));
+    }
   }
   set_roll(y, c, slider, changes);
 }
@@ -364,7 +372,7 @@ std::vector<FewBodySystem::Change> FewBodySystem::apply(std::size_t k, State& y)
     }
     case LinkEvent::phase_begin:
       link.rooted = true;
-      y[link_at(c) + root] = 0;
+      y[link_at(c) + root] = begin_share * scales_[link.pair].root;
       y[link_at(c) + coordinate] = std::visit([](const auto& law) { return law.touch(); }, laws.normal);
       break;
     case LinkEvent::slide: {
@@ -452,45 +460,6 @@ double FewBodySystem::largest_force(const State& y) {
 double FewBodySystem::turned(const State& y, const Link& link) const {
   const Vector3d n = geometry(y, static_cast<std::size_t>(link.first), static_cast<std::size_t>(link.second)).normal;
   return std::atan2(link.normal_at_touch.cross(n).norm(), link.normal_at_touch.dot(n));
-}
-
-bool FewBodySystem::rests(const State& y) const {
-  bool any = false;
-  double most = std::numeric_limits<double>::infinity();
-  for (std::size_t c = 0; c < links_.size(); ++c) {
-    const Link& link = links_[c];
-    const MappedLaws& mapped = laws_[link.pair];
-    if (!link.touching || link.turn_backs == 0) return false;
-    any = true;
-    const double map = mapped.force / mapped.length;
-    const double barrier = std::visit([](const auto& law) { return law.energy(law.separation()); }, mapped.laws.normal);
-    const double x = y[link_at(c) + coordinate];
-    const auto [overlap, energy] =
-        std::visit([&](const auto& law) { return std::pair(law.overlap(x), law.energy(x)); }, mapped.laws.normal);
-    const Liquid& liquid = mapped.laws.liquid;
-    const double wet = liquid.capillary_energy(link.bridged ? liquid.rupture : 0.0) - liquid.capillary_energy(-overlap);
-    most = std::min(most, map * (barrier - energy + wet));
-  }
-  if (!any) return false;
-  // All that moves within the whole, which could at worst go into that one contact.
-  const std::vector<MovingBody> now = bodies(y);
-  double mass = 0, moving = 0;
-  Vector3d drift = Vector3d::Zero();
-  for (const MovingBody& body : now) {
-    if (!std::isfinite(body.mass)) {
-      drift = body.velocity;
-      mass = 0;
-      break;
-    }
-    drift += body.mass * body.velocity;
-    mass += body.mass;
-  }
-  if (mass > 0) drift /= mass;
-  for (const MovingBody& body : now) {
-    if (std::isfinite(body.mass))
-      moving += body.mass * (body.velocity - drift).squaredNorm() / 2 + body.inertia * body.spin.squaredNorm() / 2;
-  }
-  return moving < most;
 }
 
 }  // namespace scalebreak

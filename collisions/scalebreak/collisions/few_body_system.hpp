@@ -30,6 +30,11 @@ struct Link {
 /// What happens to a link, in the order of its event values.
 enum class LinkEvent { phase_end, phase_begin, slide, skid, roll, load_sign, near, branch, turn, count };
 
+/// Where time stands still (a Hertz contact's begin and end, a root at zero overlap) several contacts at once could neither begin nor
+/// end: they do so at this share of their coordinate, of which the fourth power is the overlap.
+inline constexpr double begin_share = 1e-4, end_share = 1e-5;
+[[nodiscard]] inline bool flat_touch(const ContactLaws& laws) { return std::holds_alternative<Hertz<double>>(laws.normal); }
+
 /// State: position, velocity and spin of each body; then a block per link; then the time. The integrator's
 /// variable s runs so that all of it is smooth in s: dt/ds falls to zero where a contact begins or tears.
 class FewBodySystem {
