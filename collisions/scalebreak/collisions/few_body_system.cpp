@@ -208,6 +208,8 @@ void FewBodySystem::touch(State& y, std::size_t i, std::size_t j, std::vector<Ch
   Link& link = links_[c];
   link.touching = true;
   link.rooted = laws.needs_overlap_root();
+  // Bodies that meet again within their bridge have turned back.
+  link.turn_backs += link.bridged;
   if (laws.liquid.bridges() && !link.bridged) {
     link.bridged = true;
     changes.push_back({ContactChange::bridge, link.first, link.second});
@@ -431,27 +433,6 @@ EnergyAccount FewBodySystem::account(const State& y) {
   return sum;
 }
 
-double FewBodySystem::largest_overlap(const State& y) const {
-  double largest = 0;
-  for (const Link& link : links_) {
-    const auto c = static_cast<std::size_t>(&link - links_.data());
-    if (!link.touching) continue;
-    const double x = y[link_at(c) + coordinate];
-    largest = std::max(largest,
-                       std::visit([&](const auto& law) { return law.overlap(x); }, laws_[link.pair].laws.normal) / laws_[link.pair].length);
-  }
-  return largest;
-}
-
-double FewBodySystem::largest_force(const State& y) {
-  double largest = 0;
-  if (!links_.empty()) evaluate(y);
-  for (std::size_t c = 0; c < links_.size(); ++c) {
-    largest = std::max(largest, laws_[links_[c].pair].force * evaluated_[c].normal.total);
-  }
-  return largest;
-}
-
 double FewBodySystem::turned(const State& y, const Link& link) const {
   const Vector3d n = geometry(y, static_cast<std::size_t>(link.first), static_cast<std::size_t>(link.second)).normal;
   return std::atan2(link.normal_at_touch.cross(n).norm(), link.normal_at_touch.dot(n));
@@ -459,7 +440,7 @@ double FewBodySystem::turned(const State& y, const Link& link) const {
 
 bool FewBodySystem::rests(const State& y) const {
   bool any = false;
-  double most = std::numeric_limits<double>::infinity();
+  double most = std::numeric_limits<double>::infinity(), spare = 0;
   for (std::size_t c = 0; c < links_.size(); ++c) {
     const Link& link = links_[c];
     const MappedLaws& mapped = laws_[link.pair];
@@ -472,7 +453,10 @@ bool FewBodySystem::rests(const State& y) const {
         std::visit([&](const auto& law) { return std::pair(law.overlap(x), law.energy(x)); }, mapped.laws.normal);
     const Liquid& liquid = mapped.laws.liquid;
     const double wet = liquid.capillary_energy(link.bridged ? liquid.rupture : 0.0) - liquid.capillary_energy(-overlap);
-    most = std::min(most, map * (barrier - energy + wet));
+    // Every contact may give what it holds above its well to another one.
+    const double own = map * energy + scales_[link.pair].depth;
+    spare += own;
+    most = std::min(most, map * (barrier - energy + wet) + own);
   }
   if (!any) return false;
   // All that moves within the whole, which could at worst go into that one contact.
@@ -493,7 +477,7 @@ bool FewBodySystem::rests(const State& y) const {
     if (std::isfinite(body.mass))
       moving += body.mass * (body.velocity - drift).squaredNorm() / 2 + body.inertia * body.spin.squaredNorm() / 2;
   }
-  return moving < most;
+  return moving + spare < most;
 }
 
 }  // namespace scalebreak
