@@ -31,7 +31,36 @@ const std::set<std::string> result_keys = {"stuck",
                                            "energy_after",
                                            "sticking_speed",
                                            "steps",
-                                           "modelled"};
+                                           "modelled",
+                                           "energy_account",
+                                           "momentum_before",
+                                           "momentum_after",
+                                           "angular_momentum_before",
+                                           "angular_momentum_after",
+                                           "contacts",
+                                           "open_contacts",
+                                           "ruptures",
+                                           "slides",
+                                           "rolls",
+                                           "resting",
+                                           "time",
+                                           "first_touch",
+                                           "last_separation",
+                                           "turned"};
+
+/// The sum of an account's terms.
+double total(const json& account) {
+  double sum = 0;
+  for (const auto& [name, value] : account.items()) sum += value.get<double>();
+  return sum;
+}
+
+void expect_balanced(const json& j, double tolerance) {
+  const json& account = j["energy_account"];
+  EXPECT_NEAR(total(account["after"]) / total(account["before"]), 1, tolerance);
+  EXPECT_EQ(account["before"]["kinetic"], j["energy_before"]);
+  EXPECT_NEAR(account["after"]["kinetic"].get<double>(), j["energy_after"].get<double>(), 1e-12 * j["energy_before"].get<double>());
+}
 
 /// A collision with these settings, in JSON.
 json collide(std::vector<std::string> settings) {
@@ -129,6 +158,73 @@ TEST_F(Collide, AScalingLawIsApplied) {
   EXPECT_NEAR(larger["energy_before"].get<double>() / original["energy_before"].get<double>(), 64, 1e-9);
 }
 
+TEST_F(Collide, AnObliquePairGivesAllThreeRestitutions) {
+  const json j = collide({"impact.tangential_speed=0.15", "impact.spin1=[0,20,0]", "contact.tangential=mindlin", "contact.rolling=ar"});
+  EXPECT_EQ(keys_of(j), result_keys);
+  EXPECT_EQ(j["modelled"], "jkr, full, contact_radius; mindlin on contact_radius, rolling ar, torque arm radius");
+  const json v1 = j["velocity1"], v2 = j["velocity2"];
+  const double along = v1[0].get<double>() - v2[0].get<double>(), turning = j["spin1"][1].get<double>() + j["spin2"][1].get<double>();
+  EXPECT_NEAR(j["restitution_tangential"].get<double>(), along / 0.15, 1e-13);
+  EXPECT_NEAR(j["restitution_surface"].get<double>(), -(along - 0.5e-3 * turning) / (0.15 - 0.5e-3 * 20), 1e-12);
+  EXPECT_GT(j["contact_time"].get<double>(), 1e-6);
+  EXPECT_EQ(j["contacts"], 1);
+  EXPECT_GT(j["energy_account"]["after"]["friction"].get<double>(), 0);
+  expect_balanced(j, 1e-7);
+  for (const std::size_t k : {0, 1, 2}) EXPECT_NEAR(j["momentum_after"][k].get<double>(), j["momentum_before"][k].get<double>(), 1e-20);
+}
+
+TEST_F(Collide, ADivisorOfZeroGivesNull) {
+  const json spun = collide({"impact.spin1=[0,20,0]", "contact.tangential=mindlin"});
+  EXPECT_TRUE(spun["restitution_tangential"].is_null());
+  EXPECT_TRUE(spun["restitution_surface"].is_number());
+  const json matched =
+      collide({"impact.spin1=[0,100,0]", "impact.spin2=[0,100,0]", "impact.tangential_speed=0.1", "contact.tangential=mindlin"});
+  EXPECT_TRUE(matched["restitution_surface"].is_null()) << "the surfaces move together";
+  EXPECT_TRUE(matched["restitution_tangential"].is_number());
+}
+
+TEST_F(Collide, AnObliquePairThatSticksTurnsAsOne) {
+  const json j = collide({"impact.normal_speed=1e-4", "impact.tangential_speed=2e-4", "contact.tangential=mindlin"});
+  EXPECT_EQ(j["stuck"], true);
+  for (const char* key : {"restitution_normal", "restitution_tangential", "restitution_surface"}) EXPECT_EQ(j[key], 0) << key;
+  EXPECT_TRUE(j["contact_time"].is_null());
+  EXPECT_EQ(j["spin1"], j["spin2"]);
+  EXPECT_GT(j["spin1"][1].get<double>(), 0);
+  EXPECT_EQ(j["resting"], true);
+  expect_balanced(j, 1e-6);
+}
+
+TEST_F(Collide, ASphereOnAWallWithFrictionTakesSpinFromIt) {
+  const json j = collide({"pair.partner=wall", "pair.radius=[1e-3]", "impact.tangential_speed=0.3", "contact.tangential=mindlin",
+                          "contact.normal=hertz", "wall.sliding_friction=0.05"});
+  EXPECT_EQ(keys_of(j), result_keys);
+  EXPECT_EQ(j["velocity2"], (json{0.0, 0.0, 0.0}));
+  const double lost = 0.3 - j["velocity1"][0].get<double>();
+  EXPECT_NEAR(j["spin1"][1].get<double>() / (2.5 * lost / 1e-3), 1, 1e-9) << "one impulse gives both";
+  EXPECT_GT(lost / (0.05 * 0.1 * 1.81), 0.99);
+  expect_balanced(j, 1e-7);
+}
+
+TEST_F(Collide, ALiquidHasNoStickingSpeedOfTheSolids) {
+  const json j = collide({"contact.attraction=capillary+viscous", "impact.normal_speed=0.5"});
+  EXPECT_TRUE(j["sticking_speed"].is_null());
+  EXPECT_EQ(j["ruptures"], 1);
+  EXPECT_GT(j["energy_account"]["after"]["liquid"].get<double>(), 0);
+  EXPECT_GT(j["time"].get<double>(), 10 * j["contact_time"].get<double>()) << "the bridge outlives the contact";
+  expect_balanced(j, 1e-7);
+}
+
+TEST_F(Collide, RemarksSayWhatHasNoEffectAndWhatIsTooDeep) {
+  const ProgramRun idle = run({"collide", "--json", "--set", "impact.spin1=[0,0,5]"});
+  EXPECT_EQ(idle.status, 0);
+  EXPECT_EQ(idle.err, "scalebreak: spins are given, but no law acts on them: they stay as they are\n");
+  EXPECT_EQ(idle.json()["spin1"], (json{0.0, 0.0, 5.0}));
+  const ProgramRun deep = run({"collide", "--json", "--set", "material.young=1e6", "--set", "impact.normal_speed=1", "--set",
+                               "impact.tangential_speed=1", "--set", "contact.tangential=mindlin"});
+  EXPECT_EQ(deep.status, 0);
+  EXPECT_EQ(deep.err, "scalebreak: the largest overlap exceeds a tenth of R*, more than the contact laws are meant for\n");
+}
+
 constexpr const char* two_bodies = R"([contact]
 normal = "hertz"
 [material]
@@ -159,6 +255,127 @@ TEST_F(Collide, TwoBodiesFlyMeetAndPart) {
   EXPECT_NEAR(z1 - z2, 3e-3, 1e-12) << "left at the end of the contact";
   const double flight = (0.01 - 0.003) / 0.75, time = flight + j["contact_time"].get<double>();
   EXPECT_NEAR((z1 + 8 * z2) / 9, 0.01 / 9 + time * 1.5 / 9, 1e-12) << "the centre of mass goes on";
+}
+
+constexpr const char* three_bodies = R"([contact]
+normal = "hertz"
+tangential = "mindlin"
+[[body]]
+position = [-3e-3, 0, 0.3e-3]
+velocity = [0.5, 0, 0]
+spin = [0, 50, 0]
+radius = 1e-3
+[[body]]
+position = [0, 0, 0]
+radius = 1e-3
+[[body]]
+position = [2.1e-3, 0.5e-3, 0]
+radius = 1e-3
+)";
+
+TEST_F(Collide, ThreeBodiesAreFollowedThroughAllTheirContacts) {
+  const ProgramRun result = run({"collide", scene("bodies.toml", three_bodies), "--json"});
+  ASSERT_EQ(result.status, 0) << result.err;
+  const json j = result.json();
+  for (const char* key : {"stuck", "restitution_normal", "sticking_speed", "contact_time", "velocity1"})
+    EXPECT_FALSE(j.contains(key)) << key;
+  ASSERT_EQ(j["bodies"].size(), 3u);
+  EXPECT_EQ(j["contacts"], 2);
+  EXPECT_EQ(j["open_contacts"], 0);
+  EXPECT_GT(j["bodies"][2]["velocity"][0].get<double>(), 0.2) << "the last takes the blow";
+  expect_balanced(j, 1e-7);
+  for (const std::size_t k : {0, 1, 2})
+    EXPECT_NEAR(j["momentum_after"][k].get<double>(), j["momentum_before"][k].get<double>(), 1e-12 * mass(1e-3) * 0.5);
+}
+
+TEST_F(Collide, ALawThatIsExactScalesAWholeSceneOfBodies) {
+  const std::string file = scene("bodies.toml", three_bodies);
+  const json original = run({"collide", file, "--json"}).json();
+  const json larger = run({"collide", file, "--json", "--set", "scaling.law=torque_cubed", "--set", "scaling.factor=3"}).json();
+  ASSERT_EQ(larger["bodies"].size(), 3u);
+  EXPECT_NEAR(larger["time"].get<double>() / original["time"].get<double>(), 3, 1e-6);
+  EXPECT_NEAR(larger["energy_before"].get<double>() / original["energy_before"].get<double>(), 27, 1e-9);
+  // Equal masses: the centre of mass is the mean of the positions.
+  const std::vector<double> centre = {-0.3e-3, 0.5e-3 / 3, 0.1e-3}, drift = {0.5 / 3, 0, 0};
+  const double time = original["time"];
+  for (const std::size_t b : {0, 1, 2}) {
+    for (const std::size_t k : {0, 1, 2}) {
+      const double at = original["bodies"][b]["position"][k].get<double>() - centre[k] - time * drift[k];
+      const double scaled = larger["bodies"][b]["position"][k].get<double>() - centre[k] - 3 * time * drift[k];
+      EXPECT_NEAR(scaled, 3 * at, 1e-9) << b << ' ' << k;
+    }
+    for (const std::size_t k : {0, 1, 2}) {
+      EXPECT_NEAR(larger["bodies"][b]["velocity"][k].get<double>(), original["bodies"][b]["velocity"][k].get<double>(), 1e-7);
+      EXPECT_NEAR(3 * larger["bodies"][b]["spin"][k].get<double>(), original["bodies"][b]["spin"][k].get<double>(), 1e-4);
+    }
+  }
+  // A torque that grows with the square of the size alone does not.
+  const json sup = run({"collide", file, "--json", "--set", "scaling.law=sup", "--set", "scaling.factor=3"}).json();
+  EXPECT_GT(std::abs(3 * sup["bodies"][1]["spin"][1].get<double>() - original["bodies"][1]["spin"][1].get<double>()), 1);
+}
+
+TEST_F(Collide, BodiesThatNeverComeToAnEndNeedADuration) {
+  // Undamped and without friction: it slides round and round the other, and swings in its adhesion for ever.
+  const std::string file = scene("bound.toml", R"([material]
+restitution = 1
+[[body]]
+position = [0, 0, 1e-3]
+velocity = [1e-2, 0, -1e-4]
+radius = 0.5e-3
+[[body]]
+position = [0, 0, 0]
+radius = 0.5e-3
+fixed = true
+)");
+  const ProgramRun endless = run({"collide", file, "--json", "--out", out});
+  EXPECT_EQ(endless.status, 1);
+  EXPECT_THAT(endless.out, IsEmpty());
+  EXPECT_EQ(endless.err,
+            "scalebreak: the motion has not ended after 50000 events of its contacts; give its [[body]] scene a run.duration\n");
+  EXPECT_FALSE(fs::exists(out));
+  const ProgramRun ended = run({"collide", file, "--json", "--set", "run.duration=1e-3"});
+  EXPECT_EQ(ended.status, 0) << ended.err;
+  EXPECT_EQ(ended.json()["open_contacts"], 1);
+  EXPECT_EQ(ended.json()["resting"], false);
+  EXPECT_NEAR(ended.json()["time"].get<double>(), 1e-3, 1e-12);
+}
+
+TEST_F(Collide, FilesOfAnObliquePair) {
+  const ProgramRun result = run({"collide", std::string(SCALEBREAK_SOURCE) + "/data/scenes/oblique_glass.toml", "--out", out, "--json"});
+  ASSERT_EQ(result.status, 0) << result.err;
+  EXPECT_EQ(json_file(out + "/result.json"), result.json());
+  const std::string csv = content_of(out + "/trajectory.csv");
+  EXPECT_THAT(csv, testing::StartsWith("time [s],overlap [m],normal_force [N],liquid_force [N],tangential_force [N],surface_speed [m/s],"
+                                       "slides [-],rolls [-],velocity1_x [m/s],"));
+  EXPECT_THAT(content_of(out + "/events.csv"), testing::StartsWith("time [s],first [-],second [-],change\n0,1,2,touch\n"));
+  EXPECT_THAT(content_of(out + "/events.csv"), HasSubstr(",1,2,stick\n"));
+  for (const char* plot : {"force_overlap", "tangential_force", "surface_speed", "energy"}) {
+    EXPECT_THAT(content_of(out + "/" + plot + ".gp"), HasSubstr("trajectory.csv")) << plot;
+    if (gnuplot_is_there()) {
+      EXPECT_THAT(content_of(out + "/" + plot + ".png"), testing::StartsWith("\x89PNG")) << plot;
+    }
+  }
+}
+
+TEST_F(Collide, FilesOfAFewBodies) {
+  const ProgramRun result = run({"collide", scene("bodies.toml", three_bodies), "--out", out, "--json"});
+  ASSERT_EQ(result.status, 0) << result.err;
+  EXPECT_THAT(content_of(out + "/trajectory.csv"), testing::StartsWith("time [s],body [-],position_x [m],"));
+  EXPECT_THAT(content_of(out + "/contacts.csv"), testing::StartsWith("time [s],first [-],second [-],overlap [m],normal_force [N],"));
+  EXPECT_THAT(content_of(out + "/energy.csv"), testing::StartsWith("time [s],contacts [-],largest_overlap [m],kinetic_energy [J],"));
+  EXPECT_THAT(content_of(out + "/events.csv"), HasSubstr(",2,3,touch\n"));
+  for (const char* plot : {"speeds", "paths", "energy"}) {
+    EXPECT_TRUE(fs::exists(out + "/" + plot + ".gp")) << plot;
+    if (gnuplot_is_there()) {
+      EXPECT_THAT(content_of(out + "/" + plot + ".png"), testing::StartsWith("\x89PNG")) << plot;
+    }
+  }
+}
+
+TEST_F(Collide, CheckEstimatesAFewBodies) {
+  const ProgramRun result = run({"collide", scene("bodies.toml", three_bodies), "--check"});
+  EXPECT_EQ(result.status, 0);
+  EXPECT_THAT(result.out, HasSubstr("estimate: 3 bodies in space"));
 }
 
 TEST_F(Collide, FilesOfARun) {
@@ -203,7 +420,7 @@ TEST_F(Collide, TheWrittenInputRunsAgainToTheSameBytes) {
 }
 
 TEST_F(Collide, NamedMaterialsOfTheSceneFilesWork) {
-  for (const char* name : {"glass_pair", "latex_on_quartz"}) {
+  for (const char* name : {"glass_pair", "latex_on_quartz", "oblique_glass", "wet_pair"}) {
     const ProgramRun result = run({"collide", std::string(SCALEBREAK_SOURCE) + "/data/scenes/" + name + ".toml", "--json"});
     EXPECT_EQ(result.status, 0) << result.err;
     EXPECT_GT(result.json()["restitution_normal"].get<double>(), 0.5) << name;

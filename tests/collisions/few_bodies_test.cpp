@@ -21,15 +21,15 @@ class HeadOn : public testing::TestWithParam<ContactKind> {};
 
 /// The two engines have nothing in common but the laws.
 void expect_same_as_normal_collision(const Input& input) {
-  const CollisionResult normal = resolve_collision(input);
-  ASSERT_FALSE(normal.collision.stuck);
+  const PairCollision normal = contact_of(input).collide(input.normal_speed, input.tolerance);
+  ASSERT_FALSE(normal.stuck);
   const MovingScene scene = moving_scene(input);
   const MotionOutcome end = scene.move({.tolerance = 1e-11});
   const double before = (scene.bodies[1].velocity - scene.bodies[0].velocity)[2];
   const double after = (end.bodies[0].velocity - end.bodies[1].velocity)[2];
-  EXPECT_NEAR(after / before, normal.collision.restitution, 1e-8);
-  EXPECT_NEAR((end.last_separation - end.first_touch) / *normal.collision.contact_time, 1, 1e-8);
-  EXPECT_NEAR(end.max_overlap / normal.collision.max_overlap, 1, 1e-8);
+  EXPECT_NEAR(after / before, normal.restitution, 1e-8);
+  EXPECT_NEAR((end.last_separation - end.first_touch) / *normal.contact_time, 1, 1e-8);
+  EXPECT_NEAR(end.max_overlap / normal.max_overlap, 1, 1e-8);
   EXPECT_EQ(end.touches, 1);
   EXPECT_FALSE(end.resting);
 }
@@ -58,7 +58,7 @@ INSTANTIATE_TEST_SUITE_P(Kinds, HeadOn, testing::ValuesIn(all_contact_kinds()), 
 
 TEST(FewBodies, SlowAdhesivePairRests) {
   Input input{.normal_speed = 1e-4};
-  ASSERT_TRUE(resolve_collision(input).collision.stuck);
+  ASSERT_TRUE(contact_of(input).collide(input.normal_speed, input.tolerance).stuck);
   const MotionOutcome end = moving_scene(input).move({.tolerance = 1e-9});
   EXPECT_TRUE(end.resting);
   EXPECT_EQ(end.open_contacts, 1);

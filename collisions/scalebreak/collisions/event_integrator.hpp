@@ -7,6 +7,7 @@
 #include <limits>
 #include <vector>
 
+#include <boost/math/tools/minima.hpp>
 #include <boost/math/tools/roots.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
 
@@ -58,14 +59,47 @@ class EventIntegrator {
       }
       if (first != none) {
         state = found_;
+        last_step_ = h, last_end_ = earliest;
         ++steps_;
         return first;
       }
       from = u;
     }
     state = after_;
+    last_step_ = h, last_end_ = 1;
     ++steps_;
     return none;
+  }
+
+  /// The largest value of f(state) on the last step, if it lies inside and exceeds `known`; else `known`. The peak is looked
+  /// for on the cubic and then climbed on the step itself.
+  template <class F>
+  double peak(const F& f, double known) {
+    constexpr int parts = 4;
+    const auto seen = [&](double u) {
+      cubic(u, last_step_, scratch_);
+      return f(scratch_);
+    };
+    const auto exact = [&](double u) {
+      scratch_ = before_;
+      if (u > 0) stepper_.do_step(std::ref(system_), before_, rate_, 0.0, scratch_, u * last_step_);
+      return f(scratch_);
+    };
+    const auto at = [&](int k) { return last_end_ * k / parts; };
+    int top = 0;
+    double highest = seen(0);
+    for (int k = 1; k <= parts; ++k) {
+      const double value = seen(at(k));
+      if (value > highest) highest = value, top = k;
+    }
+    constexpr double inward = 1e-3;
+    const bool at_an_end = (top == 0 && seen(inward * last_end_) <= highest) || (top == parts && seen((1 - inward) * last_end_) <= highest);
+    // Between the marks a smooth peak stands little above them.
+    if (at_an_end || highest < 0.8 * known) return known;
+    std::uintmax_t iterations = 40;
+    const auto lowest = boost::math::tools::brent_find_minima([&](double u) { return -exact(u); }, at(std::max(0, top - 1)),
+                                                              at(std::min(parts, top + 1)), 22, iterations);
+    return std::max(known, -lowest.second);
   }
 
   /// The motion has changed its law: no longer what the last steps were like.
@@ -88,7 +122,8 @@ class EventIntegrator {
         finite = finite && std::isfinite(after_[i]) && std::isfinite(ratio);
         norm = std::max(norm, ratio);
       }
-      if (++tries_ > try_cap) throw WorkError("the motion did not end within 2000000 steps; give a shorter duration");
+      if (++tries_ > try_cap)
+        throw WorkError("the motion has not ended after 2000000 steps; give its [[body]] scene a run.duration, or a shorter one");
       const double eighth_root = std::sqrt(std::sqrt(std::sqrt(norm)));
       if (!finite || norm > 1) {
         next_step_ = h * (finite ? std::max(0.2, 0.85 / eighth_root) : 0.1);
@@ -175,6 +210,7 @@ class EventIntegrator {
   double last_root_ = 1;
   State before_{}, after_{}, rate_{}, end_rate_{}, error_{}, middle_{}, last_{}, found_{}, scratch_{};
   typename System::Values values_{}, scratch_values_{};
+  double last_step_ = 0, last_end_ = 1;  ///< of the last step: its length, and the share of it that was gone
   int steps_ = 0;
   int tries_ = 0;
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
 #include <Eigen/Geometry>
 #include <boost/numeric/odeint/algebra/range_algebra.hpp>
 
@@ -51,6 +52,9 @@ class Motion {
       const std::size_t size = state_.size();
       const int event = integrator.advance(state_);
       ++outcome_.steps;
+      if (options_.find_max_force) {
+        outcome_.max_force = integrator.peak([this](const auto& y) { return system_.largest_force(y); }, outcome_.max_force);
+      }
       track();
       observe();
       if (event == Integrator::none) {
@@ -61,7 +65,10 @@ class Motion {
       turned(last_links);
       const auto changes = system_.apply(static_cast<std::size_t>(event), state_);
       note(changes);
-      if (++events_ > event_cap) throw WorkError("the motion had 1000000 events; give a shorter duration");
+      if (++events_ > event_cap(options_)) {
+        throw WorkError(fmt::format("the motion has not ended after {} events of its contacts; give {}", events_ - 1,
+                                    options_.duration > 0 ? "a shorter run.duration" : "its [[body]] scene a run.duration"));
+      }
       if (at_rest()) return outcome_.resting = true;
       if (state_.size() != size || system_.duration_over()) {
         observe();
@@ -71,7 +78,8 @@ class Motion {
     }
   }
 
-  static constexpr int event_cap = 1'000'000;
+  /// Whoever gives no duration expects an end.
+  static int event_cap(const MotionOptions& options) { return options.duration > 0 ? 1'000'000 : 50'000; }
   static constexpr int settled_steps = 30;
   static constexpr int steps_between_looks = 20;
 
@@ -89,6 +97,7 @@ class Motion {
 
   void track() {
     outcome_.max_overlap = std::max(outcome_.max_overlap, system_.largest_overlap(state_));
+    outcome_.max_depth = std::max(outcome_.max_depth, system_.largest_depth(state_));
     outcome_.max_force = std::max(outcome_.max_force, system_.largest_force(state_));
   }
 
@@ -118,7 +127,8 @@ class Motion {
   void observe() {
     if (!options_.observer) return;
     const std::vector<MovingBody> bodies = system_.bodies(state_);
-    options_.observer({system_.time(state_), bodies, system_.account(state_), system_.largest_overlap(state_)});
+    options_.observer({system_.time(state_), bodies, system_.account(state_), system_.largest_overlap(state_),
+                       options_.sample_contacts ? system_.contacts(state_) : std::vector<ContactState>{}});
   }
 
   const MotionOptions& options_;
@@ -134,6 +144,20 @@ class Motion {
 
 MotionOutcome move_bodies(std::vector<MovingBody> bodies, const std::function<MappedLaws(int, int)>& laws, const MotionOptions& options) {
   return Motion(std::move(bodies), laws, options).run();
+}
+
+const char* to_string(ContactChange change) {
+  switch (change) {
+    case ContactChange::touch: return "touch";
+    case ContactChange::separation: return "separation";
+    case ContactChange::slide: return "slide";
+    case ContactChange::stick: return "stick";
+    case ContactChange::roll: return "roll";
+    case ContactChange::roll_stop: return "roll_stop";
+    case ContactChange::bridge: return "bridge";
+    case ContactChange::rupture: break;
+  }
+  return "rupture";
 }
 
 Eigen::Vector3d momentum(const std::vector<MovingBody>& bodies) {

@@ -43,16 +43,30 @@ struct EnergyAccount {
   [[nodiscard]] double total() const { return kinetic + elastic + damping + friction + rolling + adhesion + liquid; }
 };
 
+/// What acts between two bodies at one instant, SI. Forces are those on the first body.
+struct ContactState {
+  int first = 0, second = 0;
+  bool touching = false;                      ///< else only a liquid bridge holds them
+  double overlap = 0;                         ///< negative beyond first touch: of a stretched neck, of a bridge [m]
+  double normal_force = 0;                    ///< spring and dashpot, repulsion positive [N]
+  double liquid_force = 0;                    ///< along the line of centres, repulsion positive [N]
+  Eigen::Vector3d tangential_force{0, 0, 0};  ///< of friction [N]
+  Eigen::Vector3d surface_velocity{0, 0, 0};  ///< of the first surface past the second, in the contact plane [m/s]
+  bool slides = false, rolls = false;         ///< beyond what the springs hold
+};
+
 /// One instant of a motion.
 struct MotionSample {
   double time;
   const std::vector<MovingBody>& bodies;
   EnergyAccount energy;
-  double largest_overlap;  ///< [m]
+  double largest_overlap;                   ///< [m]
+  std::vector<ContactState> contacts = {};  ///< if MotionOptions::sample_contacts asks for them
 };
 
 /// What of a contact has changed.
 enum class ContactChange { touch, separation, slide, stick, roll, roll_stop, bridge, rupture };
+[[nodiscard]] const char* to_string(ContactChange change);
 
 /// What is asked of a motion.
 struct MotionOptions {
@@ -60,6 +74,8 @@ struct MotionOptions {
   double duration = 0;                                     ///< [s]; 0: until nothing can meet again, or all that touches rests
   std::function<void(const MotionSample&)> observer = {};  ///< at the start, every step, every event and the end
   double sample_interval = 0;                              ///< [s]; bounds the steps for the observer's sake; 0: none
+  bool sample_contacts = false;                            ///< fill MotionSample::contacts
+  bool find_max_force = false;                             ///< follow the largest force inside the steps too
   std::function<void(double time, int first, int second, ContactChange)> on_change = {};
 };
 
@@ -74,7 +90,8 @@ struct MotionOutcome {
   bool resting = false;       ///< ended with contacts that cannot part
   int open_contacts = 0;      ///< that touch at the end
   double max_overlap = 0;     ///< [m]
-  double max_force = 0;       ///< largest normal force of a contact, at the steps' ends [N]
+  double max_depth = 0;       ///< largest overlap over R* of its pair
+  double max_force = 0;       ///< largest normal force of a contact; at the steps' ends only, unless find_max_force [N]
   double turned = 0;          ///< largest angle by which a line of centres turned during one contact [rad]
   EnergyAccount before, after;
   int steps = 0;

@@ -308,7 +308,8 @@ void FewBodySystem::event_values(const State& y, Values& values) {
       }
       set(LinkEvent::roll, roll_event(link, e));
       if (laws.uses_load()) set(LinkEvent::load_sign, -e.point.load);
-      set(LinkEvent::turn, link.outgoing ? e.approach : -e.approach);
+      // What has come to rest turns to and fro by rounding alone.
+      set(LinkEvent::turn, (link.outgoing ? e.approach : -e.approach) - 1e-13 * speed_unit_);
     }
     if (laws.liquid.acts() && (link.touching || link.bridged)) {
       const double beyond = e.separation - laws.liquid.separation_min;

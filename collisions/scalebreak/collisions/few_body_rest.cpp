@@ -23,6 +23,7 @@ struct Cluster {
   double radius = 0;   ///< of a sphere about the centre that holds it
   double turning = 0;  ///< kinetic energy of its rotation as a whole
   double moving = 0;   ///< all other kinetic energy about its centre
+  double stored = 0;   ///< in its contacts, above their wells
 };
 
 Cluster cluster_of(const std::vector<MovingBody>& bodies, std::vector<std::size_t> members) {
@@ -73,6 +74,19 @@ bool may_meet(const Cluster& a, const Cluster& b) {
   return between.squaredNorm() - closing * closing / velocity.squaredNorm() < reach * reach;
 }
 
+/// Potential of the normal law and of a constant pull at x, above its minimum.
+template <class Law>
+double above_well(const Law& law, double x, double pull) {
+  const auto potential = [&](double at) { return law.energy(at) - pull * law.overlap(at); };
+  double low = law.touch(), high = x > low ? x : low + 1e-12;
+  while (law.force(high) < pull) high *= 2;
+  for (int i = 0; i < 60; ++i) {
+    const double middle = (low + high) / 2;
+    (law.force(middle) < pull ? low : high) = middle;
+  }
+  return potential(x) - potential(high);
+}
+
 }  // namespace
 
 bool FewBodySystem::rests(const State& y) const {
@@ -99,6 +113,19 @@ bool FewBodySystem::rests(const State& y) const {
       if (may_meet(clusters[a], clusters[b])) return false;
     }
   }
+  const auto home = [&](const Link& link) -> Cluster& {
+    return *std::find_if(clusters.begin(), clusters.end(), [&](const Cluster& cluster) {
+      return std::find(cluster.members.begin(), cluster.members.end(), static_cast<std::size_t>(link.first)) != cluster.members.end();
+    });
+  };
+  // What a contact holds above its well it may give to another one.
+  const auto spare = [&](std::size_t c) {
+    const MappedLaws& mapped = laws_[links_[c].pair];
+    const double pull = mapped.laws.liquid.capillary_force(mapped.laws.liquid.separation_min);
+    return mapped.force / mapped.length *
+           std::visit([&](const auto& law) { return above_well(law, y[link_at(c) + coordinate], pull); }, mapped.laws.normal);
+  };
+  for (std::size_t c = 0; c < links_.size(); ++c) home(links_[c]).stored += spare(c);
   for (std::size_t c = 0; c < links_.size(); ++c) {
     const Link& link = links_[c];
     const MappedLaws& mapped = laws_[link.pair];
@@ -116,11 +143,8 @@ bool FewBodySystem::rests(const State& y) const {
     const double growth =
         2 * (overlap - std::min(end, -reach)) / mapped.length /
         std::max(bodies_[static_cast<std::size_t>(link.first)].radius, bodies_[static_cast<std::size_t>(link.second)].radius);
-    const std::size_t body = static_cast<std::size_t>(link.first);
-    const auto home = std::find_if(clusters.begin(), clusters.end(), [&](const Cluster& cluster) {
-      return std::find(cluster.members.begin(), cluster.members.end(), body) != cluster.members.end();
-    });
-    if (home->moving + growth * home->turning >= needed) return false;
+    const Cluster& whole = home(link);
+    if (whole.moving + growth * whole.turning + whole.stored - spare(c) >= needed) return false;
   }
   return true;
 }

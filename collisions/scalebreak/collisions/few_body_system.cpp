@@ -208,6 +208,8 @@ void FewBodySystem::touch(State& y, std::size_t i, std::size_t j, std::vector<Ch
   Link& link = links_[c];
   link.touching = true;
   link.rooted = laws.needs_overlap_root();
+  // Bodies that meet again within their bridge have turned back.
+  link.turn_backs += link.bridged;
   if (laws.liquid.bridges() && !link.bridged) {
     link.bridged = true;
     changes.push_back({ContactChange::bridge, link.first, link.second});
@@ -434,27 +436,6 @@ EnergyAccount FewBodySystem::account(const State& y) {
     sum.friction -= spring;
   }
   return sum;
-}
-
-double FewBodySystem::largest_overlap(const State& y) const {
-  double largest = 0;
-  for (const Link& link : links_) {
-    const auto c = static_cast<std::size_t>(&link - links_.data());
-    if (!link.touching) continue;
-    const double x = y[link_at(c) + coordinate];
-    largest = std::max(largest,
-                       std::visit([&](const auto& law) { return law.overlap(x); }, laws_[link.pair].laws.normal) / laws_[link.pair].length);
-  }
-  return largest;
-}
-
-double FewBodySystem::largest_force(const State& y) {
-  double largest = 0;
-  if (!links_.empty()) evaluate(y);
-  for (std::size_t c = 0; c < links_.size(); ++c) {
-    largest = std::max(largest, laws_[links_[c].pair].force * evaluated_[c].normal.total);
-  }
-  return largest;
 }
 
 double FewBodySystem::turned(const State& y, const Link& link) const {

@@ -62,7 +62,9 @@ class FewBodySystem {
   [[nodiscard]] EnergyAccount account(const State& y);
   [[nodiscard]] const std::vector<Link>& links() const { return links_; }
   [[nodiscard]] double largest_overlap(const State& y) const;
+  [[nodiscard]] double largest_depth(const State& y) const;  ///< overlap over R*
   [[nodiscard]] double largest_force(const State& y);
+  [[nodiscard]] std::vector<ContactState> contacts(const State& y);
   [[nodiscard]] double turned(const State& y, const Link& link) const;
   [[nodiscard]] double time(const State& y) const { return y.back(); }
   [[nodiscard]] double time_unit() const { return time_unit_; }
@@ -120,6 +122,7 @@ class FewBodySystem {
   };
   [[nodiscard]] Geometry geometry(const State& y, std::size_t i, std::size_t j) const;
 
+  [[nodiscard]] double scaled_overlap(const State& y, std::size_t link) const;
   void set_units();
   void evaluate(const State& y);
   void evaluate_geometry(const State& y, const Link& link, std::size_t at, Evaluated& e) const;

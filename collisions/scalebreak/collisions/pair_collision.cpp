@@ -3,76 +3,17 @@
 #include <cmath>
 
 #include <scalebreak/collisions/normal_collision.hpp>
+#include <scalebreak/contact/normal_law.hpp>
 
 namespace scalebreak {
-namespace {
-
-/// Two bodies before the collision: the pair of [pair] and [impact] placed as the axes have it, or the [[body]] tables
-/// with the law's size factor applied about their centre of mass.
-struct Start {
-  Bodies original;
-  double speed;
-  std::vector<BodyState> bodies;  ///< scaled system
-  std::vector<double> mass;       ///< scaled; infinite for a wall
-  double flight = 0;              ///< time to first touch [s]
-};
-
-Start start_of(const Input& input, const ScalingLaw& law) {
-  Start start{input.colliding(), input.normal_speed, {}, {}};
-  const double factor = input.scaling_factor, size = size_factor(law, factor);
-  const Bodies scaled = scaled_bodies(law, factor, start.original, input.contact.normal);
-  start.mass = {sphere_mass(scaled.radius[0], scaled.first.density)};
-  start.mass.push_back(scaled.against_wall() ? INFINITY : sphere_mass(scaled.radius[1], scaled.second.density));
-  if (input.bodies.empty()) {
-    const double distance = scaled.radius[0] + (scaled.against_wall() ? 0.0 : scaled.radius[1]);
-    start.bodies = {{{0, 0, distance}, {0, 0, -start.speed}}, {{0, 0, 0}, {0, 0, 0}}};
-    return start;
-  }
-  Eigen::Vector3d centre =
-      (start.mass[0] * input.bodies[0].position + start.mass[1] * input.bodies[1].position) / (start.mass[0] + start.mass[1]);
-  for (const Body& body : input.bodies) start.bodies.push_back({centre + size * (body.position - centre), body.velocity});
-  const Eigen::Vector3d between = start.bodies[1].position - start.bodies[0].position;
-  start.speed = (start.bodies[0].velocity - start.bodies[1].velocity).dot(between.normalized());
-  start.flight = std::max(0.0, (between.norm() - scaled.radius[0] - scaled.radius[1]) / start.speed);
-  return start;
-}
-
-double kinetic_energy(const Start& start, const std::vector<BodyState>& bodies) {
-  double energy = 0;
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
-    if (std::isfinite(start.mass[i])) energy += start.mass[i] * bodies[i].velocity.squaredNorm() / 2;
-  }
-  return energy;
-}
-
-/// Momentum and restitution give the velocities; the centre of mass moves on meanwhile, and the bodies part at the distance
-/// at which the contact ended; a pair that sticks is left at first touch, in its common motion.
-std::vector<BodyState> after(const Start& start, const PairCollision& collision, double distance) {
-  std::vector<BodyState> bodies = start.bodies;
-  const Eigen::Vector3d normal = (bodies[0].position - bodies[1].position).normalized();
-  const bool wall = !std::isfinite(start.mass[1]);
-  const double share = wall ? 0.0 : start.mass[0] / (start.mass[0] + start.mass[1]);
-  const double kick = (1 + collision.restitution) * start.speed;
-  const double time = start.flight + collision.contact_time.value_or(0.0);
-  const Eigen::Vector3d centre = share * bodies[0].position + (1 - share) * bodies[1].position;
-  const Eigen::Vector3d drift = share * bodies[0].velocity + (1 - share) * bodies[1].velocity;
-  bodies[0].velocity += (1 - share) * kick * normal;
-  bodies[1].velocity -= share * kick * normal;
-  bodies[0].position = centre + time * drift + (1 - share) * distance * normal;
-  bodies[1].position = centre + time * drift - share * distance * normal;
-  return bodies;
-}
-
-double end_overlap(const ContactKind& kind) {
-  if (!kind.adhesive()) return 0;
-  const auto law = reduced_jkr<double, DampingOn::contact_radius>(0.0, kind.range);
-  return law.overlap(law.separation());
-}
-
-}  // namespace
-
-ScaledContact::ScaledContact(const ContactKind& kind, const Bodies& original, const ScalingLaw& law, double factor)
+ScaledContact::ScaledContact(const ContactKind& kind, const Bodies& original, const ScalingLaw& law, double factor,
+                             std::array<bool, 2> fixed)
     : kind_(kind), scaled_(scaled_pair(law, factor, original, kind.normal)) {
+  for (const std::size_t moves : {0, 1}) {
+    if (!fixed[1 - moves]) continue;
+    const Material& material = moves == 0 ? original.first : original.second;
+    scaled_.pair.mass *= sphere_mass(original.radius[moves], material.density) / original.pair().mass;
+  }
   kind_ = effective_kind(kind, scaled_.pair.surface_energy);
 }
 
@@ -95,6 +36,24 @@ PairCollision ScaledContact::collide(double speed, double tolerance, bool find_m
   return collision;
 }
 
+double ScaledContact::end_gap(double speed) const {
+  if (!kind_.adhesive()) return 0;
+  const auto law = reduced_jkr<double, DampingOn::contact_radius>(0.0, kind_.range);
+  return -law.overlap(law.separation()) * reduced(speed).scales.overlap * scaled_.overlap;
+}
+
+double ScaledContact::tearing_energy() const {
+  const double energy = std::visit([](const auto& law) { return law.energy(law.separation()); }, normal_law(kind_, scaled_.pair));
+  return energy * scaled_.force * scaled_.overlap;
+}
+
+double ScaledContact::well_depth() const {
+  if (!kind_.adhesive()) return 0;
+  const auto& pair = scaled_.pair;
+  const auto law = Jkr<double>::make(pair.radius, pair.young, pair.surface_energy, pair.mass, pair.damping_ratio, kind_.range);
+  return -law.energy(std::cbrt(law.adhesive_force / law.stiffness)) * scaled_.force * scaled_.overlap;
+}
+
 std::vector<TrajectoryPoint> ScaledContact::trajectory(double speed, double tolerance, int points) const {
   const ReducedCollision problem = reduced(speed);
   const auto& scales = problem.scales;
@@ -111,27 +70,10 @@ std::vector<TrajectoryPoint> ScaledContact::trajectory(double speed, double tole
   return path;
 }
 
-std::pair<ScaledContact, double> contact_of(const Input& input) {
-  const ScalingLaw& law = *find_scaling_law(input.scaling_law);
-  const Start start = start_of(input, law);
-  return {ScaledContact(input.contact, start.original, law, input.scaling_factor), start.speed};
-}
-
-CollisionResult resolve_collision(const Input& input) {
-  const ScalingLaw& law = *find_scaling_law(input.scaling_law);
-  const Start start = start_of(input, law);
-  const ScaledContact contact(input.contact, start.original, law, input.scaling_factor);
-  CollisionResult result{.collision = contact.collide(start.speed, input.tolerance, true), .speed = start.speed};
-  result.collision.sticking_speed = contact.sticking_speed(input.tolerance);
-  const Bodies scaled = scaled_bodies(law, input.scaling_factor, start.original, input.contact.normal);
-  result.deep = result.collision.max_overlap > deep_overlap * scaled.pair().radius;
-  double distance = scaled.radius[0] + (scaled.against_wall() ? 0.0 : scaled.radius[1]);
-  if (!result.collision.stuck)
-    distance -= end_overlap(contact.kind()) * contact.reduced(start.speed).scales.overlap * contact.scaled().overlap;
-  result.bodies = after(start, result.collision, distance);
-  result.energy_before = kinetic_energy(start, start.bodies);
-  result.energy_after = kinetic_energy(start, result.bodies);
-  return result;
+ScaledContact contact_of(const Input& input) {
+  std::array<bool, 2> fixed = {false, false};
+  if (!input.bodies.empty()) fixed = {input.bodies[0].fixed, input.bodies[1].fixed};
+  return {input.contact, input.colliding(), *find_scaling_law(input.scaling_law), input.scaling_factor, fixed};
 }
 
 }  // namespace scalebreak

@@ -1,10 +1,8 @@
 #pragma once
 
-#include <functional>
+#include <array>
 #include <optional>
 #include <vector>
-
-#include <Eigen/Core>
 
 #include <scalebreak/contact/contact_kind.hpp>
 #include <scalebreak/contact/reduced.hpp>
@@ -37,7 +35,9 @@ struct TrajectoryPoint {
 /// What decides a collision once bodies, law and factor are known: built once, asked at many speeds.
 class ScaledContact {
  public:
-  ScaledContact(const ContactKind& kind, const Bodies& original, const ScalingLaw& law, double factor);
+  /// A body that is `fixed` counts as infinitely heavy.
+  ScaledContact(const ContactKind& kind, const Bodies& original, const ScalingLaw& law, double factor,
+                std::array<bool, 2> fixed = {false, false});
 
   [[nodiscard]] const ContactKind& kind() const { return kind_; }
   /// Reduced speed and damping ratio at an impact speed [m/s], with the scales of the evaluated pair.
@@ -49,6 +49,12 @@ class ScaledContact {
   [[nodiscard]] std::optional<double> sticking_speed(double tolerance) const;
   /// The exact collision at an impact speed [m/s], without its sticking speed.
   [[nodiscard]] PairCollision collide(double speed, double tolerance, bool find_max_force = false) const;
+  /// By how far the bodies are apart beyond first touch when a collision at this speed ends [m].
+  [[nodiscard]] double end_gap(double speed) const;
+  /// Scaled energy that a torn contact has lost [J]; 0 without adhesion.
+  [[nodiscard]] double tearing_energy() const;
+  /// Depth of the contact's potential below first touch, scaled [J].
+  [[nodiscard]] double well_depth() const;
   /// About `points` instants of the contact, by the exact engine, evenly spaced in its regular parameter s (docs/theory.md).
   [[nodiscard]] std::vector<TrajectoryPoint> trajectory(double speed, double tolerance, int points) const;
 
@@ -57,24 +63,7 @@ class ScaledContact {
   ScaledPair scaled_;
 };
 
-/// A body after the collision.
-struct BodyState {
-  Eigen::Vector3d position, velocity;
-};
-
-/// The collision of an input, of its scaled system, with what becomes of the bodies.
-struct CollisionResult {
-  PairCollision collision;
-  double speed = 0;                            ///< of impact [m/s]
-  bool deep = false;                           ///< the largest overlap exceeds deep_overlap · R*
-  std::vector<BodyState> bodies;               ///< at separation; two, or the sphere and the wall
-  double energy_before = 0, energy_after = 0;  ///< kinetic [J]
-};
-
-/// Resolves the collision of an input exactly, the scaling law applied. Throws WorkError.
-[[nodiscard]] CollisionResult resolve_collision(const Input& input);
-
-/// The contact of an input, the scaling law applied, and its impact speed [m/s].
-[[nodiscard]] std::pair<ScaledContact, double> contact_of(const Input& input);
+/// The normal contact of an input's pair, or of its first two bodies, the scaling law applied.
+[[nodiscard]] ScaledContact contact_of(const Input& input);
 
 }  // namespace scalebreak

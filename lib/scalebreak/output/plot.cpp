@@ -51,6 +51,7 @@ std::string script(const Plot& plot) {
                       quoted_text(plot.y_label));
   if (plot.log_x) text += "set logscale x\nset format x '%h'\n";
   if (plot.log_y) text += "set logscale y\nset format y '%h'\n";
+  if (plot.equal_scale) text += "set size ratio -1\n";
   text += "set xrange [*:*] noextend\nset grid lc rgb '#dddddd'\nset key outside right top Left reverse\n";
   std::string curves;
   for (std::size_t i = 0; i < plot.curves.size(); ++i) {

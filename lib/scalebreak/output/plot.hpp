@@ -23,6 +23,7 @@ struct Plot {
   std::string x_label, y_label;
   bool log_x = false, log_y = false;
   std::vector<Curve> curves;
+  bool equal_scale = false;  ///< a length is as long along x as along y: for drawings of places
 };
 
 /// Writes `name.gp` into `folder` and draws `name.svg` and `name.png` with gnuplot. False if gnuplot is not there

@@ -1,0 +1,70 @@
+#include <cmath>
+
+#include <scalebreak/collisions/few_body_system.hpp>
+
+// What there is to see of the contacts at one state.
+
+namespace scalebreak {
+
+double FewBodySystem::scaled_overlap(const State& y, std::size_t c) const {
+  const MappedLaws& mapped = laws_[links_[c].pair];
+  const double x = y[link_at(c) + coordinate];
+  return std::visit([&](const auto& law) { return law.overlap(x); }, mapped.laws.normal) / mapped.length;
+}
+
+double FewBodySystem::largest_overlap(const State& y) const {
+  double largest = 0;
+  for (std::size_t c = 0; c < links_.size(); ++c) {
+    if (links_[c].touching) largest = std::max(largest, scaled_overlap(y, c));
+  }
+  return largest;
+}
+
+double FewBodySystem::largest_depth(const State& y) const {
+  double largest = 0;
+  for (std::size_t c = 0; c < links_.size(); ++c) {
+    if (!links_[c].touching) continue;
+    const MovingBody& first = bodies_[static_cast<std::size_t>(links_[c].first)];
+    const MovingBody& second = bodies_[static_cast<std::size_t>(links_[c].second)];
+    const double curvature = 1 / first.radius + (second.plane ? 0.0 : 1 / second.radius);
+    largest = std::max(largest, scaled_overlap(y, c) * curvature);
+  }
+  return largest;
+}
+
+double FewBodySystem::largest_force(const State& y) {
+  double largest = 0;
+  if (!links_.empty()) evaluate(y);
+  for (std::size_t c = 0; c < links_.size(); ++c) {
+    if (links_[c].touching) largest = std::max(largest, laws_[links_[c].pair].force * evaluated_[c].normal.total);
+  }
+  return largest;
+}
+
+std::vector<ContactState> FewBodySystem::contacts(const State& y) {
+  std::vector<ContactState> states;
+  if (!links_.empty()) evaluate(y);
+  for (std::size_t c = 0; c < links_.size(); ++c) {
+    const Link& link = links_[c];
+    const MappedLaws& mapped = laws_[link.pair];
+    const Evaluated& e = evaluated_[c];
+    const double solid = link.touching ? e.normal.total : 0.0;
+    ContactState state{.first = link.first,
+                       .second = link.second,
+                       .touching = link.touching,
+                       .overlap = link.touching ? scaled_overlap(y, c) : -e.at.gap,
+                       .normal_force = mapped.force * solid,
+                       .liquid_force = mapped.force * (e.normal_force - solid),
+                       .tangential_force = -mapped.force * e.friction};
+    const double first = bodies_[static_cast<std::size_t>(link.first)].radius;
+    const double second =
+        bodies_[static_cast<std::size_t>(link.second)].plane ? 0.0 : bodies_[static_cast<std::size_t>(link.second)].radius;
+    state.surface_velocity = e.centres + (first * e.turning[0] + second * e.turning[1]) / mapped.spin;
+    state.slides = link.touching && mapped.laws.tangential.acts() && link.slide != Grip::holds;
+    state.rolls = link.touching && mapped.laws.rolling.acts() && link.roll != Grip::holds;
+    states.push_back(state);
+  }
+  return states;
+}
+
+}  // namespace scalebreak
