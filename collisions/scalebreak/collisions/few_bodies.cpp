@@ -114,7 +114,8 @@ class Motion {
   void observe() {
     if (!options_.observer) return;
     const std::vector<MovingBody> bodies = system_.bodies(state_);
-    options_.observer({system_.time(state_), bodies, system_.account(state_), system_.largest_overlap(state_)});
+    const std::vector<ContactSample> contacts = system_.contacts(state_);
+    options_.observer({system_.time(state_), bodies, system_.account(state_), system_.largest_overlap(state_), contacts});
   }
 
   const MotionOptions& options_;

@@ -43,12 +43,23 @@ struct EnergyAccount {
   [[nodiscard]] double total() const { return kinetic + elastic + damping + friction + rolling + adhesion + liquid; }
 };
 
+/// One contact at one instant, of the scaled pair.
+struct ContactSample {
+  int first = 0, second = 0;
+  double overlap = 0;                 ///< [m]
+  double contact_radius = 0;          ///< of the pair in which the force is evaluated [m]; 0 of a linear contact
+  double normal_force = 0;            ///< spring, dashpot and liquid, repulsion positive [N]
+  double tangential_stiffness = 0;    ///< [N/m]
+  Eigen::Vector3d friction{0, 0, 0};  ///< on the first body [N]
+};
+
 /// One instant of a motion.
 struct MotionSample {
   double time;
   const std::vector<MovingBody>& bodies;
   EnergyAccount energy;
   double largest_overlap;  ///< [m]
+  const std::vector<ContactSample>& contacts;
 };
 
 /// What of a contact has changed.

@@ -443,6 +443,24 @@ double FewBodySystem::largest_overlap(const State& y) const {
   return largest;
 }
 
+std::vector<ContactSample> FewBodySystem::contacts(const State& y) {
+  std::vector<ContactSample> samples;
+  if (!links_.empty()) evaluate(y);
+  for (std::size_t c = 0; c < links_.size(); ++c) {
+    if (!links_[c].touching) continue;
+    const MappedLaws& mapped = laws_[links_[c].pair];
+    const Evaluated& e = evaluated_[c];
+    samples.push_back({.first = links_[c].first,
+                       .second = links_[c].second,
+                       .overlap = e.overlap / mapped.length,
+                       .contact_radius = e.point.root * e.point.root,
+                       .normal_force = mapped.force * e.normal_force,
+                       .tangential_stiffness = mapped.force * mapped.length * e.slide_law.stiffness,
+                       .friction = -mapped.force * e.friction});
+  }
+  return samples;
+}
+
 double FewBodySystem::largest_force(const State& y) {
   double largest = 0;
   if (!links_.empty()) evaluate(y);

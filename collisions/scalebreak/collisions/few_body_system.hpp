@@ -55,6 +55,7 @@ class FewBodySystem {
   [[nodiscard]] std::vector<MovingBody> bodies(const State& y) const;
   [[nodiscard]] EnergyAccount account(const State& y);
   [[nodiscard]] const std::vector<Link>& links() const { return links_; }
+  [[nodiscard]] std::vector<ContactSample> contacts(const State& y);
   [[nodiscard]] double largest_overlap(const State& y) const;
   [[nodiscard]] double largest_force(const State& y);
   [[nodiscard]] double turned(const State& y, const Link& link) const;
