@@ -21,7 +21,7 @@ namespace scalebreak {
 ///     event_values(y, values)                  one number per event, at most 0 while it has not happened
 ///     double scale(i) const                    what an error of component i is measured against
 ///
-/// An event lies where a value passes from at most 0 to above. Values are looked at four times in every step, on the cubic
+/// An event lies where a value passes from at most 0 to above. Values are looked at three times in every step, on the cubic
 /// through its ends, and the first that is found is located on the step itself.
 template <class System, class Algebra>
 class EventIntegrator {
@@ -39,18 +39,21 @@ class EventIntegrator {
     after_ = before_;
     error_ = before_;
     end_rate_ = before_;
+    last_ = before_;
     system_(before_, rate_, 0.0);
     const double h = accepted_step();
     system_(after_, end_rate_, 0.0);
     double from = 0;
-    for (const double u : {0.25, 0.5, 0.75, 1.0}) {
+    for (const double u : {1.0 / 3, 2.0 / 3, 1.0}) {
       u < 1 ? cubic(u, h, middle_) : void(middle_ = after_);
       system_.event_values(middle_, values_);
       double earliest = 2;
       int first = none;
       for (std::size_t k = 0; k < values_.size(); ++k) {
         if (!(values_[k] > 0)) continue;
-        const double root = locate(k, from, u, h, earliest);
+        // One that has not happened shortly before the earliest does not matter: most fire because that one has passed.
+        if (first != none && !(value_at(k, earliest - 1e-7, h) > 0)) continue;
+        const double root = locate(k, from, u, h);
         if (root < earliest) earliest = root, first = static_cast<int>(k), found_ = last_;
       }
       if (first != none) {
@@ -68,7 +71,6 @@ class EventIntegrator {
   /// The motion has changed its law: no longer what the last steps were like.
   void restart() {
     last_root_ = 1;
-    next_step_ *= 0.5;
   }
   void limit_step(double longest) { max_step_ = longest; }
   [[nodiscard]] int steps() const { return steps_; }
@@ -113,56 +115,58 @@ class EventIntegrator {
     return scratch_values_[k];
   }
 
-  /// Where value k passes zero between `from` and `to` of the step, if before `earliest`; `last_` is the state just past it.
-  double locate(std::size_t k, double from, double to, double h, double earliest) {
-    const auto exact = [&](double u) {
-      last_ = before_;
-      if (u > 0) stepper_.do_step(std::ref(system_), before_, rate_, 0.0, last_, u * h);
-      return value_of(k, last_);
-    };
+  /// Value k at u of the step, on the step itself; `last_` is the state there.
+  double value_at(std::size_t k, double u, double h) {
+    stepper_.do_step(std::ref(system_), before_, rate_, 0.0, last_, std::max(u, 0.0) * h);
+    return value_of(k, last_);
+  }
+
+  /// Where value k passes zero between `from` and `to` of the step, 2 if it does not; `last_` is the state just past it.
+  double locate(std::size_t k, double from, double to, double h) {
+    const auto exact = [&](double u) { return value_at(k, u, h); };
     const auto estimate = [&](double u) {
       cubic(u, h, scratch_);
       return value_of(k, scratch_);
     };
     // On the cubic first: it is cheap.
-    double low = from, high = to, at_low = estimate(low), at_high = estimate(high);
-    if (at_low > 0) {
-      high = low;
-    } else if (at_high > 0) {
-      for (int i = 0; i < 30 && high - low > 1e-4; ++i) {
-        const double middle = (low + high) / 2;
-        (estimate(middle) > 0 ? high : low) = middle;
-      }
+    double low = from, high = to;
+    while (high - low > 1e-3) {
+      const double middle = (low + high) / 2;
+      (estimate(middle) > 0 ? high : low) = middle;
     }
-    const double guess = high;
-    if (guess > earliest + 0.01) return 2;
-    // Then on the step itself, in a bracket that grows until it holds the root.
-    for (double width = 1e-3;; width *= 8) {
-      low = std::max(0.0, guess - width);
-      high = std::min(1.0, guess + width);
-      at_low = exact(low);
+    // Then on the step itself, by secants from the cubic's slope; to just past the root, so that it is not found again.
+    const double past = std::max(1e-14, 1e-3 * std::min(tolerance_, 1e-6));
+    double u = high, value = exact(u), slope = (estimate(high) - estimate(low)) / (high - low);
+    double last_u = u, last_value = value;
+    for (int i = 0; i < 8 && slope > 0; ++i) {
+      u = std::clamp(last_u - last_value / slope + past / 2, 0.0, 1.0);
+      value = exact(u);
+      if (value > 0 && std::abs(u - last_u) <= past) return u;
+      if (std::abs(u - last_u) > 1e-15) slope = (value - last_value) / (u - last_u);
+      if (value > 0 && std::abs(value / slope) <= past) return u;
+      last_u = u;
+      last_value = value;
+    }
+    return bracketed(exact, from, to);
+  }
+
+  /// The same where secants fail: a root next to another, or at the step's start.
+  template <class Exact>
+  double bracketed(const Exact& exact, double low, double high) {
+    double at_low = low > 0 ? exact(low) : -std::numeric_limits<double>::min(), at_high = exact(high);
+    if (!(at_high > 0)) {
+      high = 1;
       at_high = exact(high);
-      if (at_high > 0 || high == 1.0) break;
+      if (!(at_high > 0)) return 2;  // the cubic saw what the step does not hold
     }
-    if (!(at_high > 0)) return 2;  // the cubic saw what the step does not hold
-    for (double width = 8e-3; at_low > 0 && low > 0; width *= 8) {
-      low = std::max(0.0, guess - width);
-      at_low = exact(low);
-    }
-    if (at_low > 0) return (void)exact(low), low;  // it has been there from the step's start
-    std::uintmax_t iterations = 60;
-    const auto close = [&](double a, double b) { return b - a <= 1e-14 + 4 * std::numeric_limits<double>::epsilon(); };
-    if (at_low < 0) {
-      const auto [a, b] = boost::math::tools::toms748_solve(exact, low, high, at_low, at_high, close, iterations);
-      high = b;
-    } else {
-      // Zero at its lower end: the event begins there if it is above zero right after.
-      double width = high - low;
-      while (width > 1e-12 && exact(low + width / 2) > 0) width /= 2;
-      high = low + width;
-    }
-    (void)exact(high);
-    return high;
+    if (at_low > 0) low = 0, at_low = -std::numeric_limits<double>::min();
+    if (at_low == 0) at_low = -std::numeric_limits<double>::min();
+    std::uintmax_t iterations = 100;
+    const auto close = [](double a, double b) { return b - a <= 1e-15 + 4 * std::numeric_limits<double>::epsilon() * b; };
+    const auto [a, b] = boost::math::tools::toms748_solve(exact, low, high, at_low, at_high, close, iterations);
+    (void)a;
+    (void)exact(b);
+    return b;
   }
 
   System& system_;

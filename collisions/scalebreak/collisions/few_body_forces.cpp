@@ -1,5 +1,4 @@
 #include <cmath>
-#include <type_traits>
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
@@ -62,31 +61,12 @@ void FewBodySystem::evaluate_normal(const State& y, const Link& link, std::size_
   const PairScales& scales = scales_[link.pair];
   e.coordinate = y[base + coordinate];
   e.root = y[base + root];
-  std::visit(
-      [&](const auto& law) {
-        using Law = std::decay_t<decltype(law)>;
-        const double x = e.coordinate;
-        e.coordinate_slope = law.overlap_slope(x);
-        e.overlap = link.rooted ? e.root * e.root * e.root * e.root : law.overlap(x);
-        e.slope = link.rooted ? 4 * e.root * e.root * e.root : e.coordinate_slope;
-        e.elastic = law.force(x);
-        e.elastic_slope = law.force_slope(x);
-        e.damping_slope = 0;
-        if constexpr (std::is_same_v<Law, Jkr<double, DampingOn::overlap>>) {
-          e.damping = link.rooted ? law.damping_of_root(e.root) : 0.0;
-        } else {
-          e.damping = law.damping(x);
-          e.damping_slope = law.damping_slope(x);
-        }
-        e.point.overlap = e.overlap;
-        e.point.root = law.root_radius(x);
-        e.point.overlap_root = link.rooted ? std::sqrt(std::sqrt(laws.radius)) * e.root : std::is_same_v<Law, Hertz<double>> ? x : 0.0;
-        e.load = law.load(x, e.elastic + e.damping * e.approach);
-      },
-      laws.normal);
-  e.point.load = link.load_sign * e.load;
+  e.normal = std::visit([&](const auto& law) { return normal_point(law, link.rooted, e.coordinate, e.root, e.approach, laws.radius); },
+                        laws.normal);
+  e.point = e.normal.point;
+  e.point.load *= link.load_sign;
   const double reference = link.rooted ? scales.root_slope : scales.slope;
-  e.shrink = 1 / std::sqrt(e.slope * e.slope + reference * reference);
+  e.shrink = 1 / std::sqrt(e.normal.slope * e.normal.slope + reference * reference);
 }
 
 void FewBodySystem::evaluate_forces(const State& y, const Link& link, std::size_t base, Evaluated& e) const {
@@ -95,7 +75,7 @@ void FewBodySystem::evaluate_forces(const State& y, const Link& link, std::size_
   e.normal_force = 0;
   e.friction = e.torque = e.wet = Vector3d::Zero();
   if (link.touching) {
-    e.normal_force = e.elastic + e.damping * e.approach;
+    e.normal_force = e.normal.total;
     if (laws.tangential.acts()) {
       e.slide = {at(y, base + slide), link.slide};
       e.slide_speed = e.centres + e.arm[0] * e.turning[0] + e.arm[1] * e.turning[1];
@@ -111,7 +91,7 @@ void FewBodySystem::evaluate_forces(const State& y, const Link& link, std::size_
     }
   }
   if (!laws.liquid.acts() || !(link.touching || link.bridged)) return;
-  e.separation = link.touching ? -e.overlap : e.at.gap * mapped.length;
+  e.separation = link.touching ? -e.point.overlap : e.at.gap * mapped.length;
   const double s = link.near ? laws.liquid.separation_min : e.separation;
   e.capillary = laws.liquid.capillary_force(s);
   e.drag = laws.liquid.normal_drag(s);
@@ -187,17 +167,15 @@ void FewBodySystem::finish_rates(const State& y, const Link& link, std::size_t, 
   const auto i = static_cast<std::size_t>(link.first), j = static_cast<std::size_t>(link.second);
   const Vector3d& n = e.at.normal;
   const Vector3d relative = acceleration_[i] - acceleration_[j];
-  const double coordinate_rate = link.rooted ? time_rate_ * e.approach * mapped.length / e.coordinate_slope
-                                             : time_unit_ * e.others * e.shrink * e.approach * mapped.length;
-  const double root_rate = link.rooted ? time_unit_ * e.others * e.shrink * e.approach * mapped.length : 0.0;
+  const double carried_rate = time_unit_ * e.others * e.shrink * e.approach * mapped.length;
+  const double coordinate_rate = link.rooted ? time_rate_ * e.approach * mapped.length / e.normal.coordinate_slope : carried_rate;
   const double approach_rate = time_rate_ * (relative.dot(n) + e.at.velocity.dot(e.normal_rate));
-  e.rate.root = std::holds_alternative<Linear<double>>(laws.normal) ? 0.0 : coordinate_rate;
-  e.rate.overlap_root = link.rooted                                          ? std::sqrt(std::sqrt(laws.radius)) * root_rate
-                        : std::holds_alternative<Hertz<double>>(laws.normal) ? coordinate_rate
-                                                                             : 0.0;
-  const double total_rate = (e.elastic_slope + e.damping_slope * e.approach) * coordinate_rate + e.damping * approach_rate;
-  e.rate.load =
-      link.load_sign * std::visit([&](const auto& law) { return law.load_rate(e.coordinate, coordinate_rate, total_rate); }, laws.normal);
+  e.rate = std::visit(
+      [&](const auto& law) {
+        return point_rate(law, e.normal, link.rooted, e.coordinate, coordinate_rate, carried_rate, e.approach, approach_rate, laws.radius);
+      },
+      laws.normal);
+  e.rate.load *= link.load_sign;
   std::array<Vector3d, 2> turning_rate;
   const std::array<std::size_t, 2> body = {i, j};
   for (std::size_t k = 0; k < 2; ++k) {
@@ -226,14 +204,14 @@ void FewBodySystem::evaluate(const State& y) {
     e.others = product;
     if (!links_[c].touching) continue;
     evaluate_normal(y, links_[c], link_at(c), e);
-    product *= e.slope * e.shrink;
+    product *= e.normal.slope * e.shrink;
   }
   time_rate_ = time_unit_ * product;
   double after = 1;
   for (std::size_t c = links_.size(); c-- > 0;) {
     Evaluated& e = evaluated_[c];
     e.others *= after;
-    if (links_[c].touching) after *= e.slope * e.shrink;
+    if (links_[c].touching) after *= e.normal.slope * e.shrink;
     evaluate_forces(y, links_[c], link_at(c), e);
     add_forces(links_[c], e);
   }
@@ -258,8 +236,8 @@ void FewBodySystem::operator()(const State& y, State& rate, double) {
     if (link.touching) {
       const double carried = time_unit_ * e.others * e.shrink * e.approach * mapped.length;
       rate[base + root] = link.rooted ? carried : 0.0;
-      rate[base + coordinate] = link.rooted ? original_time * e.approach / e.coordinate_slope : carried;
-      rate[base + damping_work] = time_rate_ * mapped.force * e.damping * e.approach * e.approach;
+      rate[base + coordinate] = link.rooted ? original_time * e.approach / e.normal.coordinate_slope : carried;
+      rate[base + damping_work] = time_rate_ * mapped.force * e.normal.damping * e.approach * e.approach;
       // A history turns with the contact plane.
       const auto turned = [&](const Vector3d& own, const Vector3d& history) {
         return Vector3d(own - e.at.normal * (time_rate_ * history.dot(e.normal_rate)));
@@ -279,7 +257,8 @@ void FewBodySystem::operator()(const State& y, State& rate, double) {
         } else if (link.roll == Grip::slides) {  // its history is the direction of the rolling itself
           const Vector3d along = e.roll.direction();
           const double speed = along.dot(e.roll_speed);
-          if (speed != 0) own = (e.roll_acceleration - along * along.dot(e.roll_acceleration)) / speed;
+          const double floor = direction_floor * scales_[link.pair].roll;
+          own = (e.roll_acceleration - along * along.dot(e.roll_acceleration)) * speed / (speed * speed + floor * floor);
         }
         put(rate, base + roll, turned(own, e.roll.history));
         rate[base + rolling_work] = time_rate_ * mapped.torque / mapped.spin * e.torque.dot(e.roll_speed);
@@ -298,7 +277,8 @@ double FewBodySystem::roll_event(const Link& link, const Evaluated& e) const {
   const Rolling& rolling = laws_[link.pair].laws.rolling;
   if (!rolling.acts()) return -1;
   if (rolling.rigid()) {
-    return link.roll == Grip::slides ? 1e-13 * scales_[link.pair].roll - e.roll.direction().dot(e.roll_speed)
+    // A little past zero: what has just been let go starts there.
+    return link.roll == Grip::slides ? -1e-13 * scales_[link.pair].roll - e.roll.direction().dot(e.roll_speed)
                                      : e.torque.norm() - e.roll_law.limit * (1 + 1e-11);
   }
   return e.roll.end_of_grip(e.roll_law, e.roll_speed, e.roll_acceleration, time_rate_ * laws_[link.pair].length);
@@ -324,7 +304,7 @@ void FewBodySystem::event_values(const State& y, Values& values) {
         set(LinkEvent::skid, e.slide.begin_of_skid(e.slide_law, e.slide_speed));
       }
       set(LinkEvent::roll, roll_event(link, e));
-      if (laws.uses_load()) set(LinkEvent::load_sign, -link.load_sign * e.load);
+      if (laws.uses_load()) set(LinkEvent::load_sign, -e.point.load);
       set(LinkEvent::turn, link.outgoing ? e.approach : -e.approach);
     }
     if (laws.liquid.acts() && (link.touching || link.bridged)) {

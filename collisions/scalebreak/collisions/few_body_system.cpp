@@ -241,24 +241,21 @@ void FewBodySystem::first_modes(State& y, std::size_t c) {
   little[base + coordinate] += link.rooted ? 0.0 : share * scales.coordinate;
   evaluate(little);
   Evaluated& e = evaluated_[c];
-  const double time = e.approach > 0 ? e.overlap / e.approach : 0.0;
+  const double time = e.approach > 0 ? e.point.overlap / e.approach : 0.0;
   if (mapped.laws.tangential.acts()) {
-    Slider<3> slider{time * e.slide_speed};
-    if (slider.end_of_grip(e.slide_law, e.slide_speed, {}, 0.0) > 0) {
-      slider.slip(e.slide_law, e.slide_speed, e.slide_speed);
-      put(y, base + slide, slider.history);
-      link.slide = slider.grip;
-    }
+    const Slider<3> slider = first_slider<3>(e.slide_law, e.slide_speed, time);
+    put(y, base + slide, slider.history);
+    link.slide = slider.grip;
   }
   if (mapped.laws.rolling.acts()) {
-    const double stretch = mapped.laws.rolling.rigid() ? 0.0 : e.roll_law.incremental ? e.roll_law.stiffness * time : time;
-    Slider<3> slider{stretch * e.roll_speed};
-    const bool moves = e.roll_speed.norm() > 1e-12 * speed_unit_ / mapped.laws.radius;
-    if (mapped.laws.rolling.rigid() ? moves : slider.end_of_grip(e.roll_law, e.roll_speed, {}, 0.0) > 0) {
+    Slider<3> slider;
+    if (!mapped.laws.rolling.rigid()) {
+      slider = first_slider<3>(e.roll_law, e.roll_speed, time);
+    } else if (e.roll_speed.norm() > 1e-12 * speed_unit_ / mapped.laws.radius) {
       slider.slide_along(e.roll_speed);
-      put(y, base + roll, slider.history);
-      link.roll = Grip::slides;
     }
+    put(y, base + roll, slider.history);
+    link.roll = slider.grip;
   }
 }
 
@@ -465,7 +462,7 @@ double FewBodySystem::largest_force(const State& y) {
   double largest = 0;
   if (!links_.empty()) evaluate(y);
   for (std::size_t c = 0; c < links_.size(); ++c) {
-    largest = std::max(largest, laws_[links_[c].pair].force * (evaluated_[c].elastic + evaluated_[c].damping * evaluated_[c].approach));
+    largest = std::max(largest, laws_[links_[c].pair].force * evaluated_[c].normal.total);
   }
   return largest;
 }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <scalebreak/collisions/few_bodies.hpp>
+#include <scalebreak/contact/normal_point.hpp>
 #include <scalebreak/contact/slider.hpp>
 
 // The motion of a few bodies between events. Internal to the exact engine; see move_bodies.
@@ -99,14 +100,11 @@ class FewBodySystem {
     std::array<double, 2> arm{0, 0};
     double arm_rate = 0;
     // The normal contact:
-    double coordinate = 0, root = 0, overlap = 0;
-    double slope = 1;             ///< of the overlap in the carried coordinate
-    double coordinate_slope = 1;  ///< of the overlap in the law's coordinate
-    double shrink = 1;            ///< 1/√(slope² + its reference²)
-    double others = 1;            ///< product of the other links' slope·shrink
-    double elastic = 0, damping = 0, elastic_slope = 0, damping_slope = 0;
-    double load = 0;  ///< signed
-    ContactPoint point, rate;
+    double coordinate = 0, root = 0;
+    NormalPoint normal;
+    double shrink = 1;         ///< 1/√(slope² + its reference²)
+    double others = 1;         ///< product of the other links' slope·shrink
+    ContactPoint point, rate;  ///< with F_N positive
     // The liquid, and all together:
     double separation = 0, capillary = 0, drag = 0;
     Eigen::Vector3d wet{0, 0, 0};

@@ -33,7 +33,7 @@ struct Slider {
   Grip grip = Grip::holds;
 
   /// The force against `speed`.
-  [[nodiscard]] Tangent<D> force(const SliderLaw& law, const Tangent<D>& speed) const {
+  [[nodiscard, gnu::always_inline]] Tangent<D> force(const SliderLaw& law, const Tangent<D>& speed) const {
     switch (grip) {
       case Grip::holds: return spring(law, speed) + law.damping * speed;
       case Grip::slides: return law.limit * direction();
@@ -135,5 +135,14 @@ struct Slider {
     grip = Grip::holds;
   }
 };
+
+/// The slider of a contact that begins at `speed`: what it does from its first instant is asked at `law`, `time` later.
+template <int D>
+[[nodiscard]] Slider<D> first_slider(const SliderLaw& law, const Tangent<D>& speed, double time) {
+  Slider<D> stretched{Tangent<D>((law.incremental ? law.stiffness * time : time) * speed)};
+  if (!(stretched.end_of_grip(law, speed, Tangent<D>::Zero(), 0.0) > 0)) return {};
+  stretched.slip(law, speed, speed);
+  return stretched;
+}
 
 }  // namespace scalebreak
