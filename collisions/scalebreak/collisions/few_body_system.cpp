@@ -449,7 +449,7 @@ std::vector<ContactSample> FewBodySystem::contacts(const State& y) {
     const Evaluated& e = evaluated_[c];
     samples.push_back({.first = links_[c].first,
                        .second = links_[c].second,
-                       .overlap = e.overlap / mapped.length,
+                       .overlap = e.point.overlap / mapped.length,
                        .contact_radius = e.point.root * e.point.root,
                        .normal_force = mapped.force * e.normal_force,
                        .tangential_stiffness = mapped.force * mapped.length * e.slide_law.stiffness,

@@ -42,8 +42,17 @@ struct MiddleCurve {
   CaseSystem system;
   bool rolling = true;
   std::array<PaperCurve, 3> curve;
-  MotionOutcome outcome;
+  bool lost = false;  ///< deeper than spheres go: not followed to the end
+  double overlap_over_radius = 0;
+  double turned = 0;  ///< [rad]
+  int touches = 0;
 };
+
+/// Overlap over radius beyond which there are no two spheres any more: the surface of one has passed the centre of the other.
+constexpr double no_spheres = 1;
+
+/// Ends a motion that has lost its meaning.
+struct Lost {};
 
 MiddleCurve follow(const Input& input, const CaseSystem& system, double duration) {
   MiddleCurve motion{.system = system, .rolling = input.surface.rolling != RollingModel::none};
@@ -51,7 +60,10 @@ MiddleCurve follow(const Input& input, const CaseSystem& system, double duration
   const Characteristic unit = characteristic(input, scene, system);
   MotionOptions options{.tolerance = input.tolerance, .duration = duration * unit.time};
   options.sample_interval = options.duration / samples;
+  const double radius = scene.bodies[middle].radius;
   options.observer = [&](const MotionSample& sample) {
+    motion.overlap_over_radius = std::max(motion.overlap_over_radius, sample.largest_overlap / radius);
+    if (motion.overlap_over_radius > no_spheres) throw Lost{};
     const double t = sample.time / unit.time;
     if (!motion.curve[0].time.empty() && t <= motion.curve[0].time.back()) return;
     const MovingBody& body = sample.bodies[middle];
@@ -59,7 +71,13 @@ MiddleCurve follow(const Input& input, const CaseSystem& system, double duration
     motion.curve[1].add(t, body.velocity.x() / unit.speed);
     motion.curve[2].add(t, body.spin.z() / unit.spin);
   };
-  motion.outcome = scene.move(options);
+  try {
+    const MotionOutcome outcome = scene.move(options);
+    motion.turned = outcome.turned;
+    motion.touches = outcome.touches;
+  } catch (const Lost&) {
+    motion.lost = true;
+  }
   return motion;
 }
 
@@ -128,7 +146,7 @@ std::vector<CasePlot> plots(const Input& input, const std::vector<MiddleCurve>& 
     plot.curves = {{"curves.csv", "4", std::to_string(5 + q), "original", false, 0, only(original, true)}};
     int style = 1;
     for (const MiddleCurve& curve : scaled) {
-      if (curve.system.original() || curve.system.factor != first) continue;
+      if (curve.system.original() || curve.system.factor != first || curve.lost) continue;
       const bool marks = curve.system.law->name == "rps";
       const std::string condition = only(curve.system, true);
       plot.curves.push_back(
@@ -143,7 +161,7 @@ std::vector<CasePlot> plots(const Input& input, const std::vector<MiddleCurve>& 
     plot.curves = {{"curves.csv", "4", std::to_string(5 + q), "original", false, 0, only(original, true)}};
     int style = 1;
     for (const MiddleCurve& curve : scaled) {
-      if (curve.system.law->name != "rps") continue;
+      if (curve.system.law->name != "rps" || curve.lost) continue;
       plot.curves.push_back({curve.system.factor == first ? "curves.csv" : "factors.csv", "4", std::to_string(5 + q), curve.system.name(),
                              false, style++, only(curve.system, true)});
     }
@@ -212,31 +230,33 @@ CaseResult run_three_particles(const Input& input, const std::function<void(doub
   std::vector<Comparison> comparisons;
   const double reduced = input.colliding().pair().radius / input.bodies[middle].radius;
   const auto numbers = [&](const std::string& name, const MiddleCurve& curve, const std::array<std::optional<double>, 3>& distances) {
-    const double depth = curve.outcome.max_overlap / curve.outcome.bodies[middle].radius;
+    const double depth = curve.overlap_over_radius;
+    const auto end = [&](double value) { return curve.lost ? std::nullopt : std::optional(value); };
     CaseCurve row{name, {}};
     for (std::size_t q = 0; q < 3; ++q) row.numbers.push_back({std::string(quantities[q]) + "_distance", "-", distances[q]});
-    for (std::size_t q = 0; q < 3; ++q) row.numbers.push_back({std::string(quantities[q]) + "_end", "-", curve.curve[q].value.back()});
+    for (std::size_t q = 0; q < 3; ++q) row.numbers.push_back({std::string(quantities[q]) + "_end", "-", end(curve.curve[q].value.back())});
     row.numbers.push_back({"overlap_over_radius", "-", depth});
     row.numbers.push_back({"overlap_over_reduced_radius", "-", depth / reduced});
-    row.numbers.push_back({"line_of_centres_turned", "rad", curve.outcome.turned});
-    row.numbers.push_back({"touches", "-", curve.outcome.touches});
+    row.numbers.push_back({"line_of_centres_turned", "rad", end(curve.turned)});
+    row.numbers.push_back({"touches", "-", end(curve.touches)});
     result.curves.push_back(row);
   };
   const auto distances = [&](const MiddleCurve& curve) {
     std::array<std::optional<double>, 3> all;
-    for (std::size_t q = 0; q < 3; ++q) all[q] = curve_distance(original.curve[q], curve.curve[q], duration, grid);
+    for (std::size_t q = 0; q < 3 && !curve.lost; ++q) all[q] = curve_distance(original.curve[q], curve.curve[q], duration, grid);
     return all;
   };
   numbers("original", original, distances(original));
   if (with_rolling) numbers("original without rolling resistance", free, distances(free));
   std::vector<const MiddleCurve*> near = {&original}, far;
   if (with_rolling) near.push_back(&free);
-  int deep = 0;
+  int deep = 0, lost = 0;
   for (const MiddleCurve& curve : curves) {
     if (curve.system.original()) continue;
-    (curve.system.factor == curves[1].system.factor ? near : far).push_back(&curve);
-    const double depth = curve.outcome.max_overlap / curve.outcome.bodies[middle].radius;
-    comparisons.push_back({curve.system, distances(curve), depth, depth / reduced, curve.outcome.turned});
+    if (!curve.lost) (curve.system.factor == curves[1].system.factor ? near : far).push_back(&curve);
+    const double depth = curve.overlap_over_radius;
+    comparisons.push_back({curve.system, distances(curve), depth, depth / reduced, curve.turned});
+    lost += curve.lost;
     numbers(curve.system.name(), curve, comparisons.back().distance);
     deep += depth / reduced > deep_overlap;
   }
@@ -252,6 +272,11 @@ CaseResult run_three_particles(const Input& input, const std::function<void(doub
     result.notes.push_back(
         fmt::format("In {} of {} scaled systems the largest overlap exceeds a tenth of R*, more than the contact laws are meant for.", deep,
                     comparisons.size()));
+  if (lost > 0)
+    result.notes.push_back(
+        fmt::format("{} of these are not followed to the end and have no distance: the surface of one sphere passes the centre of "
+                    "another, which leaves no spheres to speak of.",
+                    lost));
   result.files = {{"curves.csv", curves_csv(near, duration)}, {"limit.csv", limit_csv(comparisons)}};
   if (!far.empty()) result.files.push_back({"factors.csv", curves_csv(far, duration)});
   result.plots = plots(input, curves, with_rolling);
