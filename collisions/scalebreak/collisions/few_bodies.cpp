@@ -63,6 +63,8 @@ class Motion {
       note(changes);
       if (++events_ > event_cap) throw WorkError("the motion had 1000000 events; give a shorter duration");
       if (options_.duration == 0 && system_.rests(state_)) return outcome_.resting = true;
+      // What has come to rest to rounding turns back at every step.
+      if (changes.empty() && settled()) return outcome_.resting = true;
       if (state_.size() != size || system_.duration_over()) {
         observe();
         return false;

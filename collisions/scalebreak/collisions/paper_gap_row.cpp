@@ -76,9 +76,7 @@ constexpr double drawn_zero = 1e-3;
 
 std::vector<double> gaps() {
   std::vector<double> all = {0};
-  for (int i = -8; i <= 12; ++i) all.push_back(std::pow(10, i / 4.0));
-  for (const double gap : {2.0, 5.0, 20.0}) all.push_back(gap);
-  std::sort(all.begin(), all.end());
+  for (int i = -16; i <= 24; ++i) all.push_back(std::pow(10, i / 8.0));
   return all;
 }
 
@@ -118,6 +116,7 @@ void follow(const Row& row, const std::string& contact, const std::vector<CaseSy
   csv.add({contact, std::string("sequence"), 1.0, all.back(), all.back(), sequence[0] / row.speed, sequence[1] / row.speed,
            sequence[2] / row.speed, 0.0});
   std::optional<double> of_original;
+  std::vector<Speeds> original;  // at each gap
   double done = 0;
   for (const CaseSystem& system : systems) {
     std::vector<bool> from_sequence, from_original;
@@ -129,7 +128,8 @@ void follow(const Row& row, const std::string& contact, const std::vector<CaseSy
       if (gap == 0) touching = v;
       deepest = std::max(deepest, depth);
       from_sequence.push_back(difference(v, sequence) > limit);
-      from_original.push_back(difference(v, row.move(systems.front(), gap)) > limit);
+      if (system.original()) original.push_back(v);
+      from_original.push_back(difference(v, original[from_original.size()]) > limit);
       csv.add({contact, std::string(system.original() ? "original" : system.law->name), system.factor, gap, std::max(gap, drawn_zero),
                v[0] / row.speed, v[1] / row.speed, v[2] / row.speed, difference(v, sequence) / row.speed});
     }
@@ -176,15 +176,15 @@ void add_plots(const std::string& contact, const std::vector<CaseSystem>& system
               false,
               {}};
     int style = 1;
-    const std::string here = fmt::format("strcol(1) eq '{}'", contact);
+    const std::string here = fmt::format("strcol(1) eq '{}'", contact), y = std::to_string(6 + body);
+    plot.curves.push_back({"row.csv", "5", y, "instantaneous pairs", false, 8, here + " && strcol(2) eq 'sequence'"});
     for (const CaseSystem& system : systems) {
       const std::string law(system.original() ? "original" : system.law->name);
-      plot.curves.push_back({"row.csv", "5", std::to_string(6 + body), system.name(), false, system.original() ? 0 : style++,
+      plot.curves.push_back({"row.csv", "5", y, system.name(), false, system.original() ? 0 : style++,
                              fmt::format("{} && strcol(2) eq '{}' && $3 == {}", here, law, system.factor)});
     }
-    plot.curves.push_back({"row.csv", "5", std::to_string(6 + body), "instantaneous pairs", true, 8, here + " && strcol(2) eq 'sequence'"});
     result.plots.push_back({plot, fmt::format("Final velocity of the {} sphere against the gap before the third, {} contact. Where a curve "
-                                              "leaves the marks' height, three spheres collide at once.",
+                                              "leaves the grey line, three spheres collide at once.",
                                               who[body], contact)});
   }
 }

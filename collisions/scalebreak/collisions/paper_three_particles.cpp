@@ -136,7 +136,7 @@ std::vector<CasePlot> plots(const Input& input, const std::vector<MiddleCurve>& 
   const double first = scaled.size() > 1 ? scaled[1].system.factor : 1;
   for (std::size_t q = 0; q < 3 && with_rolling; ++q) {
     Plot plot = plot_of(q, "rolling", fmt::format("What rolling resistance does to the {} (original stiffness)", words[q]));
-    plot.curves = {{"curves.csv", "4", std::to_string(5 + q), "with " + rolling, false, 0, only(original, true)},
+    plot.curves = {{"curves.csv", "4", std::to_string(5 + q), "with rolling resistance, " + rolling, false, 0, only(original, true)},
                    {"curves.csv", "4", std::to_string(5 + q), "without rolling resistance", false, 2, only(original, false)}};
     all.push_back(
         {plot, fmt::format("The {} of the middle sphere of the original system, with and without rolling resistance.", words[q])});
@@ -185,7 +185,7 @@ std::vector<CasePlot> plots(const Input& input, const std::vector<MiddleCurve>& 
   limit.curves.push_back({"limit.csv", "2", "(0.1)", "overlaps end to be small: 0.1 R*", false, 8});
   all.push_back({limit,
                  "Largest distance from the original's curve, over that curve's range, against the stiffness ratio. Where the black "
-                 "line exceeds the brown one (a tenth of R*) the contact laws are out of their range."});
+                 "line exceeds the grey one (a tenth of R*) the contact laws are out of their range."});
   return all;
 }
 
@@ -205,6 +205,18 @@ void add_bars(CaseResult& result, const std::vector<Comparison>& comparisons, co
     result.bars.push_back({fmt::format("without scaling at 1e-2 the curve is another: {}, distance over that of RPS", words[q]),
                            *none->distance[q] / *rps->distance[q], 10, false});
   }
+}
+
+/// "Almost no impact on the normal velocity", "largely influences the angular velocity", "non-negligible" on the tangential one.
+void add_rolling_bars(CaseResult& result, const std::array<std::optional<double>, 3>& free) {
+  constexpr double none = 0.001, some = 0.01, large = 0.1;
+  const auto add = [&](std::size_t q, const char* what, double bar, bool at_most) {
+    if (free[q])
+      result.bars.push_back({fmt::format("rolling resistance {} the {}: distance over range", what, words[q]), *free[q], bar, at_most});
+  };
+  add(0, "hardly changes", none, true);
+  add(1, "visibly changes", some, false);
+  add(2, "largely changes", large, false);
 }
 
 }  // namespace
@@ -260,6 +272,7 @@ CaseResult run_three_particles(const Input& input, const std::function<void(doub
     numbers(curve.system.name(), curve, comparisons.back().distance);
     deep += depth / reduced > deep_overlap;
   }
+  if (with_rolling) add_rolling_bars(result, distances(free));
   add_bars(result, comparisons, input);
   result.notes = {
       fmt::format(
@@ -268,6 +281,12 @@ CaseResult run_three_particles(const Input& input, const std::function<void(doub
           "begins to press when the middle one has been slowed down."),
       fmt::format("Every system is followed to dimensionless time {:.4g} ({:.4g} s of the original), and measured by its own stiffness.",
                   duration, input.duration)};
+  const auto rps = std::find_if(curves.begin(), curves.end(), [](const MiddleCurve& c) { return c.system.law->name == "rps" && !c.lost; });
+  if (rps != curves.end())
+    result.notes.push_back(fmt::format(
+        "What RPS still changes is the turning of the line of centres while spheres touch, which the dimensionless equations have fixed: contacts "
+        "last longer, and it turns by {:.3g} rad at a factor of {:g}, by {:.3g} rad in the original. The distances of RPS grow in proportion.",
+        rps->turned, rps->system.factor, original.turned));
   if (deep > 0)
     result.notes.push_back(
         fmt::format("In {} of {} scaled systems the largest overlap exceeds a tenth of R*, more than the contact laws are meant for.", deep,
