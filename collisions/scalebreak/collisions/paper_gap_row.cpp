@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <scalebreak/base/error.hpp>
 #include <scalebreak/collisions/moving_scene.hpp>
 #include <scalebreak/collisions/pair_collision.hpp>
 #include <scalebreak/collisions/paper_case.hpp>
@@ -46,7 +47,11 @@ struct Row {
     set.bodies[2].position = set.bodies[1].position + (set.bodies[1].radius + set.bodies[2].radius + gap * overlap) * line;
     const MotionOutcome outcome = moving_scene(set, *system.law, system.factor).move({.tolerance = input.tolerance});
     if (depth) *depth = outcome.max_overlap;
-    return {outcome.bodies[0].velocity.dot(line), outcome.bodies[1].velocity.dot(line), outcome.bodies[2].velocity.dot(line)};
+    const Speeds v = {outcome.bodies[0].velocity.dot(line), outcome.bodies[1].velocity.dot(line), outcome.bodies[2].velocity.dot(line)};
+    if (outcome.resting && v[1] - v[2] > 1e-6 * speed)
+      throw WorkError(
+          "the first two spheres of the row stick to each other before they reach the third; give the first one a higher speed");
+    return v;
   }
 
   /// Collisions of no duration, pair by pair with the exact restitution, until no pair approaches.
