@@ -23,6 +23,7 @@ struct Options {
   int threads = 0;
   bool json = false, check = false, print_defaults = false, quiet = false;
   bool all_kinds = false, rebuild = false;  ///< of `table`
+  bool list = false;                        ///< of `reproduce`
 
   /// The input of one file, or of none.
   [[nodiscard]] Input input(const std::optional<std::string>& file) const;
@@ -58,5 +59,6 @@ inline constexpr const char* too_deep = "the largest overlap exceeds a tenth of 
 void add_collide(CLI::App& app, Options& options, std::function<void()>& job);
 void add_table(CLI::App& app, Options& options, std::function<void()>& job);
 void add_invariance(CLI::App& app, Options& options, std::function<void()>& job);
+void add_reproduce(CLI::App& app, Options& options, std::function<void()>& job);
 
 }  // namespace scalebreak::apps

@@ -25,6 +25,7 @@ int run(int argc, char** argv) {
   add_collide(app, options, job);
   add_table(app, options, job);
   add_invariance(app, options, job);
+  add_reproduce(app, options, job);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

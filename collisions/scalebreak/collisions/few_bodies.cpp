@@ -69,7 +69,8 @@ class Motion {
         throw WorkError(fmt::format("the motion has not ended after {} events of its contacts; give {}", events_ - 1,
                                     options_.duration > 0 ? "a shorter run.duration" : "its [[body]] scene a run.duration"));
       }
-      if (at_rest()) return outcome_.resting = true;
+      // What has come to rest to rounding may have no other end.
+      if (at_rest() || (changes.empty() && settled())) return outcome_.resting = true;
       if (state_.size() != size || system_.duration_over()) {
         observe();
         return false;

@@ -53,6 +53,8 @@ struct ContactState {
   Eigen::Vector3d tangential_force{0, 0, 0};  ///< of friction [N]
   Eigen::Vector3d surface_velocity{0, 0, 0};  ///< of the first surface past the second, in the contact plane [m/s]
   bool slides = false, rolls = false;         ///< beyond what the springs hold
+  double contact_radius = 0;                  ///< of the pair in which the force is evaluated [m]; 0 of a linear contact
+  double tangential_stiffness = 0;            ///< [N/m]
 };
 
 /// One instant of a motion.

@@ -56,6 +56,10 @@ std::vector<ContactState> FewBodySystem::contacts(const State& y) {
                        .normal_force = mapped.force * solid,
                        .liquid_force = mapped.force * (e.normal_force - solid),
                        .tangential_force = -mapped.force * e.friction};
+    if (link.touching) {
+      state.contact_radius = e.point.root * e.point.root;
+      state.tangential_stiffness = mapped.force * mapped.length * e.slide_law.stiffness;
+    }
     const double first = bodies_[static_cast<std::size_t>(link.first)].radius;
     const double second =
         bodies_[static_cast<std::size_t>(link.second)].plane ? 0.0 : bodies_[static_cast<std::size_t>(link.second)].radius;
