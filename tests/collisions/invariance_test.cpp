@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <scalebreak/collisions/invariance.hpp>
-#include <scalebreak/collisions/invariance_report.hpp>
+#include <scalebreak/collisions/invariance_words.hpp>
 
 namespace scalebreak {
 namespace {
