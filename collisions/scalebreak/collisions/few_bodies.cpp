@@ -78,7 +78,9 @@ class Motion {
   bool settled() {
     if (options_.duration > 0) return false;
     const double moving = kinetic_energy(system_.bodies(state_));
-    still_ = std::abs(moving - last_kinetic_) < 1e-15 * moving + 1e-18 * outcome_.before.kinetic ? still_ + 1 : 0;
+    // A pair that sticks and turns keeps its kinetic energy as well as the integration does, and no better.
+    const double noise = std::max(1e-15, 0.1 * options_.tolerance) * moving + 1e-18 * outcome_.before.kinetic;
+    still_ = std::abs(moving - last_kinetic_) < noise ? still_ + 1 : 0;
     last_kinetic_ = moving;
     return still_ >= settled_steps;
   }

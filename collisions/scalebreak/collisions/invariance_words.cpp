@@ -27,7 +27,7 @@ std::string power_in_words(const Trend& trend) {
                                                 : fmt::format("about factor^({:.3f} ± {:.1g})", trend.exponent, trend.exponent_error);
 }
 
-/// "keeps A and B; keeps to first order in overlap over radius C (deviation here up to 2e-3, as its power 1.00 ± 0.01); moves D …"
+/// "keeps A, B; keeps in the limit … C (0.002, p = 1.00 ± 0.01); moves D as factor^-1.000, E by up to 0.3"
 std::string motion_in_words(const std::vector<MotionTrend>& trends) {
   std::vector<std::string> kept, first_order, moved, parts;
   for (const MotionTrend& t : trends) {
@@ -35,10 +35,9 @@ std::string motion_in_words(const std::vector<MotionTrend>& trends) {
     switch (t.verdict) {
       case Verdict::kept: kept.push_back(name); break;
       case Verdict::kept_to_first_order:
-        first_order.push_back(fmt::format("{} (deviation here up to {:.2g}{})", name, t.largest,
-                                          t.overlap_power ? fmt::format(", as overlap over radius to the power {:.2f} ± {:.1g}",
-                                                                        t.overlap_exponent, t.overlap_exponent_error)
-                                                          : ""));
+        first_order.push_back(
+            fmt::format("{} ({:.2g}{})", name, t.largest,
+                        t.overlap_power ? fmt::format(", p = {:.2f} ± {:.1g}", t.overlap_exponent, t.overlap_exponent_error) : ""));
         break;
       case Verdict::moved:
         moved.push_back(t.quantity->by_ratio && has_power(t.power) ? name + " as " + power_in_words(t.power)
@@ -47,7 +46,11 @@ std::string motion_in_words(const std::vector<MotionTrend>& trends) {
     }
   }
   if (!kept.empty()) parts.push_back(fmt::format("keeps {}", fmt::join(kept, ", ")));
-  if (!first_order.empty()) parts.push_back(fmt::format("keeps in the limit of small overlaps {}", fmt::join(first_order, ", ")));
+  if (!first_order.empty()) {
+    parts.push_back(
+        fmt::format("keeps in the limit of small overlaps, with deviations here that go as overlap over radius to the power p, {}",
+                    fmt::join(first_order, ", ")));
+  }
   if (!moved.empty()) parts.push_back(fmt::format("moves {}", fmt::join(moved, ", ")));
   return fmt::format("{}", fmt::join(parts, "; "));
 }
@@ -73,9 +76,10 @@ std::string verdict(const MotionTrend& t) {
 }
 
 std::string in_words(const LawSummary& s) {
-  std::string text = full_name(s) + (s.restitution_change < kept_tolerance
-                                         ? std::string(" keeps the restitution at every speed")
-                                         : fmt::format(" changes the restitution by up to {:.3g}", s.restitution_change));
+  std::string text =
+      full_name(s) + (s.motion.empty() ? "" : " in the normal motion by itself") +
+      (s.restitution_change < kept_tolerance ? std::string(" keeps the restitution at every speed")
+                                             : fmt::format(" changes the restitution by up to {:.3g}", s.restitution_change));
   if (s.verdict_changes > 0)
     text += fmt::format(" ({} of its collisions stick where the original's do not, or the reverse)", s.verdict_changes);
   for (const auto& [what, trend] :
