@@ -42,6 +42,13 @@ std::vector<double> factors_to(double end, int count) {
 
 std::string named(const std::string& name) { return fmt::format("strcol(1) eq '{}'", name); }
 
+bool keeps_spin(const InvarianceStudy& study, const Example& e) {
+  return std::any_of(study.summaries.begin(), study.summaries.end(), [&](const LawSummary& s) {
+    const auto kept = [](const MotionTrend& t) { return t.quantity->key == "spin_ratio" && t.verdict != Verdict::moved; };
+    return s.law == e.law->name && s.softer == (e.factor < 1) && std::any_of(s.motion.begin(), s.motion.end(), kept);
+  });
+}
+
 /// The spin gained in the input's own impact, every law over its factors, and what is predicted without torque l^{p+1}.
 bool spin_chart(const Input& input, const InvarianceStudy& study, const std::string& title, const std::filesystem::path& folder,
                 int threads, HtmlReport& report) {
@@ -67,25 +74,25 @@ bool spin_chart(const Input& input, const InvarianceStudy& study, const std::str
     csv.add({std::string(asked[i].law->name), std::string(side < 1 ? "softer" : "larger"), asked[i].factor,
              *spin.ratio(motions[i], original, size)});
   }
-  Plot plot{"spin_ratio",
-            "Spin gained × size, scaled over original: " + readable(title),
-            "factor: stiffness ratio below 1, size ratio above [-]",
-            "spin gained × size factor, over the original's [-]",
-            true,
-            false,
-            {}};
-  for (const Example& e : farthest) {
-    if (e.factor == 1) continue;
-    const char* side = e.factor < 1 ? "softer" : "larger";
-    plot.curves.push_back(
-        {"spin.csv", "3", "4",
-         e.law->factor_of == FactorOf::stiffness_or_size ? fmt::format("{}, {}", e.law->name, side) : std::string(e.law->name), false,
-         e.style, fmt::format("{} && strcol(2) eq '{}'", named(std::string(e.law->name)), side)});
-  }
+  const auto chart = [&](const char* name, const char* side, const char* x_label) {
+    Plot plot{name,    "Spin gained × size, scaled over original: " + readable(title),
+              x_label, "spin gained × size, over the original's [-]",
+              true,    false,
+              {}};
+    for (const Example& e : farthest) {
+      const std::string law(e.law->name);
+      if (e.factor != 1 && std::string(side) == (e.factor < 1 ? "softer" : "larger"))
+        plot.curves.push_back(
+            {"spin.csv", "3", "4", law, keeps_spin(study, e), e.style, fmt::format("{} && strcol(2) eq '{}'", named(law), side)});
+    }
+    return plot;
+  };
+  const Plot softer = chart("spin_ratio_stiffness", "softer", "stiffness ratio [-]");
+  Plot plot = chart("spin_ratio", "larger", "size ratio l [-]");
   const bool torque_off =
       std::any_of(farthest.begin(), farthest.end(), [](const Example& e) { return e.law->direct_force && e.law->torque == e.law->force; });
   if (torque_off && input.surface.tangential != TangentialModel::none && largest > 1) {
-    const char *sliding = "predicted, sliding: 1/l", *rigid = "predicted, no slip: 7/(2l + 5)";
+    const char *sliding = "sliding throughout: 1/l", *rigid = "no slip: 7/(2l + 5)";
     for (const double l : factors_to(largest, 9)) {
       csv.add({std::string(sliding), std::string("larger"), l, 1 / l});
       csv.add({std::string(rigid), std::string("larger"), l, 7 / (2 * l + 5)});
@@ -97,10 +104,11 @@ bool spin_chart(const Input& input, const InvarianceStudy& study, const std::str
   const bool drawn = draw(plot, folder);
   report.figure(
       folder / "spin_ratio.svg",
-      fmt::format("Spin gained × size factor over the original's, against the factor, at {:g} m/s normal and {:g} m/s tangential: 1 "
-                  "is kept. Marks: what docs/oblique.md derives for a torque that grows as the force does, where the contact slides "
-                  "throughout and where it never slips and its tangential spring is rigid.",
-                  input.normal_speed, input.tangential_speed));
+      fmt::format(
+          "Spin gained × size factor over the original's, against the factor, at {:g} m/s normal and {:g} m/s tangential: 1 "
+          "is kept. Coloured marks: laws that keep it. Black marks: what docs/oblique.md derives for a torque that grows as the force does, where the contact slides "
+          "throughout and where it never slips and its tangential spring is rigid.",
+          input.normal_speed, input.tangential_speed));
   return drawn;
 }
 
@@ -113,9 +121,10 @@ bool angle_chart(Input input, const InvarianceStudy& study, const std::string& t
   constexpr double low = 0.05, high = 20;
   struct Line {
     std::string name;
+    double factor;
     int style;
   };
-  std::vector<Line> lines = {{"original", 0}};
+  std::vector<Line> lines = {{"original", 1, 0}};
   std::vector<Asked> asked;
   const auto add = [&](const ScalingLaw& law, double factor) {
     for (int i = 0; i < points; ++i) {
@@ -126,16 +135,16 @@ bool angle_chart(Input input, const InvarianceStudy& study, const std::string& t
   };
   add(*find_scaling_law("none"), 1);
   for (const Example& e : examples(study, false)) {
-    lines.push_back({fmt::format("{}, {:g}", e.law->name, e.factor), e.style});
+    lines.push_back({std::string(e.law->name), e.factor, e.style});
     add(*e.law, e.factor);
   }
   const auto motions = resolve_all(asked, threads);
-  Csv csv({"law", "angle [deg]", "tangential_over_normal_speed [-]", "restitution_tangential [-]", "restitution_normal [-]"});
+  Csv csv({"law", "factor [-]", "angle [deg]", "tangential_over_normal_speed [-]", "restitution_tangential [-]", "restitution_normal [-]"});
   for (std::size_t i = 0; i < asked.size(); ++i) {
     if (motions[i].stuck) continue;
     const double ratio = asked[i].input.tangential_speed / input.normal_speed;
-    csv.add({lines[i / points].name, std::atan(ratio) * 180 / std::numbers::pi, ratio, *motions[i].restitution_tangential,
-             motions[i].restitution_normal});
+    csv.add({lines[i / points].name, lines[i / points].factor, std::atan(ratio) * 180 / std::numbers::pi, ratio,
+             *motions[i].restitution_tangential, motions[i].restitution_normal});
   }
   write_file(folder / "angle.csv", csv.text());
   Plot plot{"tangential_restitution",
@@ -145,7 +154,10 @@ bool angle_chart(Input input, const InvarianceStudy& study, const std::string& t
             false,
             false,
             {}};
-  for (const Line& line : lines) plot.curves.push_back({"angle.csv", "2", "4", line.name, false, line.style, named(line.name)});
+  for (const Line& line : lines) {
+    plot.curves.push_back({"angle.csv", "3", "5", line.style == 0 ? line.name : fmt::format("{}, {:g}", line.name, line.factor), false,
+                           line.style, fmt::format("{} && $2 == {}", named(line.name), line.factor)});
+  }
   const bool drawn = draw(plot, folder);
   report.figure(
       folder / "tangential_restitution.svg",
@@ -182,7 +194,7 @@ bool angular_momentum_chart(const Input& input, const std::string& title, const 
     const std::string name(asked[i].law->name);
     csv.add({name, asked[i].factor, *change, *share});
     if (drawn_laws.emplace(name, 0).second)
-      plot.curves.push_back({"angular_momentum.csv", "2", "3", name, false, 1 + static_cast<int>(drawn_laws.size()), named(name)});
+      plot.curves.push_back({"angular_momentum.csv", "2", "3", name, false, static_cast<int>(drawn_laws.size()), named(name)});
   }
   if (plot.curves.empty()) return true;
   // Laws that conserve it lie on each other: marks for the last of them.
