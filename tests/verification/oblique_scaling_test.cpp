@@ -102,7 +102,9 @@ TEST_P(ExactLaws, KeepTheWholeMotion) {
       const double deviation = std::abs(ratio(key, input, law, factor) - 1);
       // Adhesive rolling under Chen & Elliott: torque × l³ where l⁴ is needed.
       if (p.rolling == RollingModel::ar && std::string(law) == "chen_elliott") {
-        if (std::string(key) == "restitution_rolling") EXPECT_GT(deviation, 1e-4);
+        if (std::string(key) == "restitution_rolling") {
+          EXPECT_GT(deviation, 1e-4);
+        }
         continue;
       }
       EXPECT_LT(deviation, 1e-6) << law << " " << key;
