@@ -65,42 +65,39 @@ bool spin_chart(const Input& input, const InvarianceStudy& study, const std::str
     for (const double factor : factors_to(e.factor, 25)) asked.push_back({e.law, factor, input});
   }
   const auto motions = resolve_all(asked, threads);
-  Csv csv({"law", "side", "factor [-]", "spin_ratio [-]"});
+  // Each side has a file of its own; a factor of 1 starts the curve that follows it.
+  Csv softened({"law", "factor [-]", "spin_ratio [-]"}), enlarged({"law", "factor [-]", "spin_ratio [-]"});
   for (std::size_t i = 0; i < asked.size(); ++i) {
-    const double size = size_factor(*asked[i].law, asked[i].factor);
-    // A factor of 1 starts the curve of the side that follows it.
-    const double side = asked[i].factor == 1 ? asked[i + 1].factor : asked[i].factor;
+    const auto& [law, factor, at] = asked[i];
+    const double side = factor == 1 ? asked[i + 1].factor : factor;
     if (motions[i].stuck) continue;
-    csv.add({std::string(asked[i].law->name), std::string(side < 1 ? "softer" : "larger"), asked[i].factor,
-             *spin.ratio(motions[i], original, size)});
+    (side < 1 ? softened : enlarged).add({std::string(law->name), factor, *spin.ratio(motions[i], original, size_factor(*law, factor))});
   }
-  const auto chart = [&](const char* name, const char* side, const char* x_label) {
+  const auto chart = [&](const std::string& name, bool soft, const char* x_label) {
     Plot plot{name,    "Spin gained × size, scaled over original: " + readable(title),
               x_label, "spin gained × size, over the original's [-]",
               true,    false,
               {}};
     for (const Example& e : farthest) {
       const std::string law(e.law->name);
-      if (e.factor != 1 && std::string(side) == (e.factor < 1 ? "softer" : "larger"))
-        plot.curves.push_back(
-            {"spin.csv", "3", "4", law, keeps_spin(study, e), e.style, fmt::format("{} && strcol(2) eq '{}'", named(law), side)});
+      if (e.factor != 1 && (e.factor < 1) == soft)
+        plot.curves.push_back({name + ".csv", "2", "3", law, keeps_spin(study, e), e.style, named(law)});
     }
     return plot;
   };
-  const Plot softer = chart("spin_ratio_stiffness", "softer", "stiffness ratio [-]");
-  Plot plot = chart("spin_ratio", "larger", "size ratio l [-]");
+  const Plot softer = chart("spin_ratio_stiffness", true, "stiffness ratio [-]");
+  Plot plot = chart("spin_ratio", false, "size ratio l [-]");
   const bool torque_off =
       std::any_of(farthest.begin(), farthest.end(), [](const Example& e) { return e.law->direct_force && e.law->torque == e.law->force; });
   if (torque_off && input.surface.tangential != TangentialModel::none && largest > 1) {
     const char *sliding = "sliding throughout: 1/l", *rigid = "no slip: 7/(2l + 5)";
     for (const double l : factors_to(largest, 9)) {
-      csv.add({std::string(sliding), std::string("larger"), l, 1 / l});
-      csv.add({std::string(rigid), std::string("larger"), l, 7 / (2 * l + 5)});
+      enlarged.add({std::string(sliding), l, 1 / l});
+      enlarged.add({std::string(rigid), l, 7 / (2 * l + 5)});
     }
-    plot.curves.push_back({"spin.csv", "3", "4", sliding, true, 0, named(sliding)});
-    plot.curves.push_back({"spin.csv", "3", "4", rigid, true, 13, named(rigid)});
+    plot.curves.push_back({"spin_ratio.csv", "2", "3", sliding, true, 0, named(sliding)});
+    plot.curves.push_back({"spin_ratio.csv", "2", "3", rigid, true, 13, named(rigid)});
   }
-  write_file(folder / "spin.csv", csv.text());
   const bool drawn = draw(plot, folder);
   report.figure(
       folder / "spin_ratio.svg",
