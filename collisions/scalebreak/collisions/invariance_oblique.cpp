@@ -98,14 +98,23 @@ bool spin_chart(const Input& input, const InvarianceStudy& study, const std::str
     plot.curves.push_back({"spin_ratio.csv", "2", "3", sliding, true, 0, named(sliding)});
     plot.curves.push_back({"spin_ratio.csv", "2", "3", rigid, true, 13, named(rigid)});
   }
-  const bool drawn = draw(plot, folder);
-  report.figure(
-      folder / "spin_ratio.svg",
-      fmt::format(
-          "Spin gained × size factor over the original's, against the factor, at {:g} m/s normal and {:g} m/s tangential: 1 "
-          "is kept. Coloured marks: laws that keep it. Black marks: what docs/oblique.md derives for a torque that grows as the force does, where the contact slides "
-          "throughout and where it never slips and its tangential spring is rigid.",
-          input.normal_speed, input.tangential_speed));
+  bool drawn = true;
+  if (!softer.curves.empty()) {
+    write_file(folder / "spin_ratio_stiffness.csv", softened.text());
+    drawn = draw(softer, folder);
+    report.figure(folder / "spin_ratio_stiffness.svg",
+                  "Spin gained, softened over original, against the stiffness ratio: 1 is kept. Marks: laws that keep it, at least in the "
+                  "limit of small overlaps.");
+  }
+  if (plot.curves.empty()) return drawn;
+  write_file(folder / "spin_ratio.csv", enlarged.text());
+  drawn = draw(plot, folder) && drawn;
+  report.figure(folder / "spin_ratio.svg",
+                fmt::format("Spin gained × size over the original's, against the size ratio, at {:g} m/s normal and {:g} m/s tangential "
+                            "speed: 1 is kept. Coloured marks: laws that keep it. Black marks: what docs/oblique.md derives for a torque "
+                            "that grows only as the force does, where the contact slides throughout and where it never slips and its "
+                            "tangential spring is rigid.",
+                            input.normal_speed, input.tangential_speed));
   return drawn;
 }
 
