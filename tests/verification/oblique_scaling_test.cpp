@@ -52,15 +52,15 @@ TEST(ObliqueScaling, TheSpinsGetTheirShareOfTheOrbitsAngularMomentum) {
   }
 }
 
-/// Without slip, Δv_t = −(m_t/m*)(1 − e_s) v_s with m_t/m* = 2/(2 + 5 l^{−1}), e_s the surfaces' speed after over before.
+/// Without slip, Δv_t = −(m_t/m*)(1 + β) v_s with m_t/m* = 2/(2 + 5 l^{−1}), β = −(surfaces' speed after over before).
 TEST(ObliqueScaling, WithoutSlipTheTangentialMassGrowsFromTwoSeventhsToOne) {
   Input input = elastic(0.1);
   input.material.sliding_friction = input.second.sliding_friction = 50;
   for (const double l : {1.0, 2.0, 8.0, 64.0}) {
     const PairMotion m = resolve_motion(input, *find_scaling_law("sup"), l, 1e-11, limit);
-    EXPECT_NEAR((1 - *m.restitution_tangential) / (1 - *m.restitution_surface), 2 / (2 + 5 / l), 1e-6) << l;
+    EXPECT_NEAR((1 - *m.restitution_tangential) / (1 + *m.restitution_surface), 2 / (2 + 5 / l), 1e-6) << l;
     const PairMotion original = resolve_motion(input, *find_scaling_law("none"), 1, 1e-11, limit);
-    EXPECT_NEAR(ratio("spin_ratio", input, "sup", l), 7 / (2 * l + 5) * (1 - *m.restitution_surface) / (1 - *original.restitution_surface),
+    EXPECT_NEAR(ratio("spin_ratio", input, "sup", l), 7 / (2 * l + 5) * (1 + *m.restitution_surface) / (1 + *original.restitution_surface),
                 1e-6);
   }
 }

@@ -190,6 +190,7 @@ InvarianceStudy run_invariance(const Input& input, int threads, const std::funct
     summary.sticking_speed = trend_of(records, &InvarianceRecord::sticking_speed_ratio);
     summary.contact_time = trend_of(records, &InvarianceRecord::contact_time_ratio);
     summary.max_overlap = trend_of(records, &InvarianceRecord::max_overlap_ratio);
+    summary.wet = study.wet;
     if (study.motion) {
       std::vector<MotionPoint> points;
       for (std::size_t i = 0; i < records.size(); ++i) {

@@ -36,6 +36,7 @@ struct LawSummary {
   double reduced_restitution_change = 0;  ///< largest |Δe| at equal v/v_stick; 0 without adhesion
   bool exact = false;                     ///< the scaled pair has the original's v̂ and β at every speed
   Trend sticking_speed, contact_time, max_overlap;
+  bool wet = false;                 ///< a liquid has its say in all of this
   std::vector<MotionTrend> motion;  ///< where more than the normal motion happens
 };
 

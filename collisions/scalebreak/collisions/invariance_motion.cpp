@@ -90,7 +90,7 @@ PairMotion resolve_motion(const Input& input, const ScalingLaw& law, double fact
   const auto tangential = [](Vector3d v) { return Vector3d(v[0], v[1], 0); };
   motion.restitution_normal = -after.velocity[2] / before.velocity[2];
   motion.restitution_tangential = ratio_along(tangential(before.velocity), tangential(after.velocity), speed);
-  motion.restitution_surface = ratio_along(before.surface, after.surface, speed);
+  motion.restitution_surface = ratio_along(before.surface, -after.surface, speed);
   motion.restitution_rolling = ratio_along(before.rolling * distance, after.rolling * distance, speed);
   motion.contact_time = outcome.last_separation - outcome.first_touch;
   const auto unless_nothing = [&](const Vector3d& v, double unit) {

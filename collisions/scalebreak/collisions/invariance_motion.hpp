@@ -14,7 +14,7 @@ struct PairMotion {
   bool stuck = false;                            ///< nothing but `max_overlap` and `turned` has a value then
   double restitution_normal = 0;                 ///< −(relative normal velocity after / before)
   std::optional<double> restitution_tangential;  ///< centres' relative tangential velocity after / before
-  std::optional<double> restitution_surface;     ///< the same of the surface points
+  std::optional<double> restitution_surface;     ///< of the surface points, −after / before (β of Chung & Ooi 2011)
   std::optional<double> restitution_rolling;     ///< relative rolling speed (ω₁ − ω₂) × n after / before
   std::optional<double> contact_time;            ///< [s]
   double max_overlap = 0;                        ///< [m]

@@ -76,7 +76,7 @@ bool spin_chart(const Input& input, const InvarianceStudy& study, const std::str
   const auto chart = [&](const std::string& name, bool soft, const char* x_label) {
     Plot plot{name,    "Spin gained × size, scaled over original: " + readable(title),
               x_label, "spin gained × size, over the original's [-]",
-              true,    false,
+              soft,    false,
               {}};
     for (const Example& e : farthest) {
       const std::string law(e.law->name);
@@ -190,7 +190,7 @@ bool angular_momentum_chart(const Input& input, const std::string& title, const 
             "Angular momentum gained by the pair in one collision: " + readable(title),
             "size ratio l [-]",
             "gain over m* d v_s, the surfaces' own at touch [-]",
-            true,
+            false,
             false,
             {}};
   std::map<std::string, int> drawn_laws;

@@ -72,10 +72,12 @@ std::optional<MotionTrend> motion_trend(const MotionQuantity& quantity, const st
     if (m.stuck()) continue;
     const auto deviation = quantity.deviation(m.scaled, m.original, m.size);
     if (!deviation) continue;
-    exists = true;
-    trend.largest = std::max(trend.largest, std::abs(*deviation));
     const bool limit = m.scaled_limit && !m.scaled_limit->stuck && !m.original_limit->stuck;
     if (m.scaled_limit && !limit) continue;
+    // What only the overlap gives the original is nothing that a law could keep.
+    if (limit && !quantity.deviation(*m.scaled_limit, *m.original_limit, m.size)) continue;
+    exists = true;
+    trend.largest = std::max(trend.largest, std::abs(*deviation));
     const PairMotion &scaled = limit ? *m.scaled_limit : m.scaled, &original = limit ? *m.original_limit : m.original;
     if (limit) {
       trend.limit = true;

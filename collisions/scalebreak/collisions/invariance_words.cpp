@@ -77,7 +77,7 @@ std::string verdict(const MotionTrend& t) {
 
 std::string in_words(const LawSummary& s) {
   std::string text =
-      full_name(s) + (s.motion.empty() ? "" : " in the normal motion by itself") +
+      full_name(s) + (s.motion.empty() || s.wet ? "" : " in the normal motion by itself") +
       (s.restitution_change < kept_tolerance ? std::string(" keeps the restitution at every speed")
                                              : fmt::format(" changes the restitution by up to {:.3g}", s.restitution_change));
   if (s.verdict_changes > 0)
