@@ -41,8 +41,10 @@ std::optional<double> turned(const InvarianceRecord& r) {
   return r.motions ? std::optional<double>(r.motions->scaled.turned) : std::nullopt;
 }
 
-CsvCell exponent(const Trend& trend) { return trend.exists ? CsvCell(trend.exponent) : CsvCell(); }
-CsvCell exponent_error(const Trend& trend) { return trend.exists ? CsvCell(trend.exponent_error) : CsvCell(); }
+CsvCell exponent(const Trend& trend) { return trend.exists && std::isfinite(trend.exponent) ? CsvCell(trend.exponent) : CsvCell(); }
+CsvCell exponent_error(const Trend& trend) {
+  return trend.exists && std::isfinite(trend.exponent) ? CsvCell(trend.exponent_error) : CsvCell();
+}
 
 const char* to_string(Verdict verdict) {
   switch (verdict) {

@@ -109,8 +109,11 @@ Trend trend_of(const std::vector<TrendPoint>& points) {
     y.push_back(std::log(point.ratio));
   }
   trend.kept = trend.exists && trend.largest < kept_tolerance;
-  if (!positive) trend.exponent = trend.exponent_error = std::nan("");
-  if (!positive || x.size() < 2) return trend;
+  // One point has no power with an error, nor has what changes its sign.
+  if (!positive || x.size() < 2) {
+    trend.exponent = trend.exponent_error = std::nan("");
+    return trend;
+  }
   double variance = 0, residue = 0;
   gsl_fit_mul(x.data(), 1, y.data(), 1, x.size(), &trend.exponent, &variance, &residue);
   trend.exponent_error = std::sqrt(variance);

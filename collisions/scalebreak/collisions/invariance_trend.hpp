@@ -23,7 +23,8 @@ struct TrendPoint {
   double factor, ratio;
 };
 
-/// log ratio = p log factor, through the point (1, 1): p and its standard error. Ratios that are not positive leave it without.
+/// log ratio = p log factor, through the point (1, 1): p and its standard error. NaN with fewer than two points, or a ratio
+/// that is not positive.
 [[nodiscard]] Trend trend_of(const std::vector<TrendPoint>& points);
 
 /// The scaled motion and the original's, at the input's own overlaps, at a tenth of them, and in the limit of small ones.

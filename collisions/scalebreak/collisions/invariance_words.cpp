@@ -11,6 +11,8 @@ namespace {
 /// An exponent whose error is this small is a power law; one that the scatter over speeds leaves open is none.
 constexpr double power_law_error = 1e-6, no_power_error = 0.05;
 
+bool has_power(const Trend& trend) { return trend.exists && trend.exponent_error < no_power_error; }
+
 std::string moved(const std::string& what, const Trend& trend) {
   if (!trend.exists) return "";
   if (trend.kept) return fmt::format("keeps the {}", what);
@@ -19,8 +21,6 @@ std::string moved(const std::string& what, const Trend& trend) {
     return fmt::format("moves the {} about as factor^({:.3f} ± {:.1g})", what, trend.exponent, trend.exponent_error);
   return fmt::format("moves the {} by up to {:.3g} times itself, not by one power of the factor", what, trend.largest);
 }
-
-bool has_power(const Trend& trend) { return trend.exists && trend.exponent_error < no_power_error; }
 
 std::string power_in_words(const Trend& trend) {
   return trend.exponent_error < power_law_error ? fmt::format("factor^{:.3f}", trend.exponent)
@@ -60,7 +60,7 @@ std::string motion_in_words(const std::vector<MotionTrend>& trends) {
 std::string verdict(const Trend& trend) {
   if (!trend.exists) return "–";
   if (trend.kept) return "kept";
-  if (trend.exponent_error > no_power_error) return fmt::format("moves by up to {:.3g}", trend.largest);
+  if (!has_power(trend)) return fmt::format("moves by up to {:.3g}", trend.largest);
   return fmt::format("{}factor^{:.3f}", trend.exponent_error < power_law_error ? "" : "about ", trend.exponent);
 }
 
