@@ -118,6 +118,36 @@ table_tolerance = 1e-3
   EXPECT_THAT(page, HasSubstr("A sphere and a flat wall"));
 }
 
+TEST_F(Invariance, AnObliqueImpactFillsTheSpinRatioAndDrawsItsCharts) {
+  const std::string oblique = scene("oblique.toml", R"([contact]
+tangential = "mindlin"
+[impact]
+tangential_speed = 0.5
+[study]
+laws = ["sup", "rps"]
+factors = [0.1, 2]
+speeds = [0.1, 0.5]
+[numerics]
+table_tolerance = 1e-3
+)");
+  const ProgramRun result = invariance({oblique, "--out", out, "--json"});
+  ASSERT_EQ(result.status, 0) << result.err;
+  const json records = result.json()["records"];
+  ASSERT_EQ(records.size(), 4u);
+  for (const json& record : records) {
+    if (record["law"] != "sup") continue;
+    EXPECT_NEAR(record["spin_ratio_limit"].get<double>(), 0.5, 1e-6) << "it slides throughout";
+    EXPECT_NEAR(record["spin_ratio"].get<double>(), 0.5, 1e-3);
+    EXPECT_LT(record["angular_momentum_change"].get<double>(), -0.01);
+  }
+  EXPECT_THAT(content_of(out + "/motion.csv"), HasSubstr("sup,1 and above,spin_ratio,moved,"));
+  EXPECT_THAT(content_of(out + "/index.html"), HasSubstr("spin gained × size as factor^-1.000"));
+  if (gnuplot_is_there()) {
+    for (const char* plot : {"spin_ratio", "spin_ratio_stiffness", "tangential_restitution", "angular_momentum"})
+      EXPECT_TRUE(fs::exists(out + "/" + plot + ".png")) << plot;
+  }
+}
+
 TEST_F(Invariance, FilesOfOneNameGetChaptersOfTheirOwn) {
   const std::string other =
       scene("elsewhere/small.toml", "[study]\nlaws = [\"sup\"]\nfactors = [2]\nspeeds = [0.1]\n[numerics]\ntable_tolerance = 1e-3\n");

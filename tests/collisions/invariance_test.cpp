@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <scalebreak/collisions/invariance.hpp>
-#include <scalebreak/collisions/invariance_report.hpp>
+#include <scalebreak/collisions/invariance_words.hpp>
 
 namespace scalebreak {
 namespace {
@@ -83,6 +83,52 @@ TEST(Invariance, UsesTheSpeedsLawsAndFactorsItIsGiven) {
   EXPECT_EQ(study.records[0].law, "sup");
   EXPECT_EQ(study.records[0].factor, 2);
   EXPECT_EQ(study.records[0].normal_speed, 0.1);
+}
+
+const MotionTrend& motion(const LawSummary& summary, const std::string& key) {
+  return *std::find_if(summary.motion.begin(), summary.motion.end(), [&](const MotionTrend& t) { return t.quantity->key == key; });
+}
+
+TEST(Invariance, OfAnObliquePairTellsKeptFromKeptToFirstOrderFromMoved) {
+  Input input;
+  input.surface.tangential = TangentialModel::mindlin;
+  input.tangential_speed = 3 * input.normal_speed;
+  input.study_speeds = {0.05, 0.1, 0.5};
+  const InvarianceStudy study = run_invariance(input, 0);
+  EXPECT_EQ(motion(summary(study, "thakur", false), "spin_ratio").verdict, Verdict::kept);
+  EXPECT_EQ(motion(summary(study, "torque_cubed", false), "spin_ratio").verdict, Verdict::kept);
+  const MotionTrend& rps = motion(summary(study, "rps", true), "restitution_normal");
+  EXPECT_EQ(rps.verdict, Verdict::kept_to_first_order);
+  EXPECT_GT(rps.largest, 1e-3);
+  ASSERT_TRUE(rps.overlap_power);
+  EXPECT_NEAR(rps.overlap_exponent, 1, 0.1);
+  const MotionTrend& sup = motion(summary(study, "sup", false), "spin_ratio");
+  EXPECT_EQ(sup.verdict, Verdict::moved);
+  EXPECT_NEAR(sup.power.exponent, -1, 1e-6);
+  EXPECT_LT(sup.power.exponent_error, 1e-6);
+  for (const InvarianceRecord& r : study.records) {
+    ASSERT_TRUE(r.motions.has_value());
+    EXPECT_EQ(r.restitution, r.motions->scaled.restitution_normal);
+  }
+}
+
+TEST(Invariance, AHeadOnDryPairCostsNoMotion) {
+  Input input;
+  EXPECT_FALSE(moves_beyond_normal(input));
+  input.surface.tangential = TangentialModel::mindlin;
+  EXPECT_FALSE(moves_beyond_normal(input));
+  input.study_speeds = {0.1}, input.study_factors = {2};
+  for (const InvarianceRecord& r : run_invariance(input, 1).records) EXPECT_FALSE(r.motions.has_value());
+  input.spin2 = {0, 0, 1};
+  EXPECT_TRUE(moves_beyond_normal(input));
+}
+
+TEST(Invariance, AnotherNormalSpeedKeepsAngleAndSpinRatio) {
+  Input input;
+  input.tangential_speed = 0.3, input.spin1 = {1, 2, 3};
+  const Input slow = at_normal_speed(input, 0.05);
+  EXPECT_DOUBLE_EQ(slow.tangential_speed, 0.15);
+  EXPECT_TRUE(slow.spin1.isApprox(input.spin1 / 2));
 }
 
 TEST(InvarianceReport, SaysInWordsWhatALawKeeps) {

@@ -5,11 +5,14 @@
 #include <string>
 #include <vector>
 
+#include <scalebreak/collisions/invariance_motion.hpp>
+#include <scalebreak/collisions/invariance_trend.hpp>
 #include <scalebreak/scene/input.hpp>
 
 namespace scalebreak {
 
-/// One collision of a scaled pair beside the original's at the same impact speed. Ratios are scaled over original.
+/// One collision of a scaled pair beside the original's at the same impact speed. Ratios are scaled over original. Where more
+/// than the normal motion happens, all of it is that of the exact motion, at the input's own overlaps.
 struct InvarianceRecord {
   std::string law;
   double factor = 1;
@@ -20,17 +23,11 @@ struct InvarianceRecord {
   std::optional<double> sticking_speed;  ///< [m/s]
   std::optional<double> contact_time_ratio, max_overlap_ratio, sticking_speed_ratio;
   std::optional<double> contact_time_ratio_predicted;  ///< of laws that keep β and v̂: the ratio of the time scales
+  std::optional<ComparedMotions> motions;              ///< where more than the normal motion happens
 };
 
-/// How a quantity moves with a law's factor: kept, or as factor^exponent with its standard error over all speeds.
-struct Trend {
-  bool exists = false;
-  bool kept = false;   ///< every ratio is 1 within `kept_tolerance`
-  double largest = 0;  ///< largest |ratio − 1|
-  double exponent = 0, exponent_error = 0;
-};
-
-/// What a law keeps and moves, over all its factors and speeds.
+/// What a law keeps and moves, over all its factors and speeds. Of oblique and rolling impacts, the members here are those of the
+/// normal motion by itself, the fixed-normal limit, and `motion` holds the rest; of wet ones they are the motion's.
 struct LawSummary {
   std::string law;
   bool softer = false;                    ///< its factors here are below 1; "none" has a summary on either side
@@ -39,9 +36,9 @@ struct LawSummary {
   double reduced_restitution_change = 0;  ///< largest |Δe| at equal v/v_stick; 0 without adhesion
   bool exact = false;                     ///< the scaled pair has the original's v̂ and β at every speed
   Trend sticking_speed, contact_time, max_overlap;
+  bool wet = false;                 ///< a liquid has its say in all of this
+  std::vector<MotionTrend> motion;  ///< where more than the normal motion happens
 };
-
-inline constexpr double kept_tolerance = 1e-7;
 
 struct InvarianceStudy {
   std::vector<double> speeds;
@@ -50,6 +47,7 @@ struct InvarianceStudy {
   std::vector<LawSummary> summaries;
   int skipped = 0;  ///< (law, factor) pairs that do not suit each other
   int deep = 0;     ///< collisions with more overlap than deep_overlap
+  bool motion = false, wet = false;
 };
 
 /// Impact speeds about the sticking speed (0.5 to 100 times), or 0.001 to 10 m/s without adhesion.

@@ -5,6 +5,10 @@
 
 #include <fmt/format.h>
 
+#include <scalebreak/collisions/invariance_examples.hpp>
+#include <scalebreak/collisions/invariance_files.hpp>
+#include <scalebreak/collisions/invariance_oblique.hpp>
+#include <scalebreak/collisions/invariance_words.hpp>
 #include <scalebreak/collisions/pair_collision.hpp>
 #include <scalebreak/output/atomic_file.hpp>
 #include <scalebreak/output/csv.hpp>
@@ -15,33 +19,6 @@ namespace {
 
 CsvCell cell(const std::optional<double>& value) { return value ? CsvCell(*value) : CsvCell(); }
 
-std::string records_csv(const InvarianceStudy& study) {
-  Csv csv({"law", "factor [-]", "normal_speed [m/s]", "stuck", "restitution_normal [-]", "restitution_original [-]", "sticking_speed [m/s]",
-           "contact_time_ratio [-]", "contact_time_ratio_predicted [-]", "max_overlap_ratio [-]", "sticking_speed_ratio [-]"});
-  for (const InvarianceRecord& r : study.records) {
-    csv.add({r.law, r.factor, r.normal_speed, std::string(r.stuck ? "true" : "false"), r.restitution, r.restitution_original,
-             cell(r.sticking_speed), cell(r.contact_time_ratio), cell(r.contact_time_ratio_predicted), cell(r.max_overlap_ratio),
-             cell(r.sticking_speed_ratio)});
-  }
-  return csv.text();
-}
-
-CsvCell exponent(const Trend& trend) { return trend.exists ? CsvCell(trend.exponent) : CsvCell(); }
-CsvCell exponent_error(const Trend& trend) { return trend.exists ? CsvCell(trend.exponent_error) : CsvCell(); }
-
-std::string summary_csv(const InvarianceStudy& study) {
-  Csv csv({"law", "factors", "exact", "restitution_change_max [-]", "verdict_changes", "restitution_change_at_equal_v_over_v_stick [-]",
-           "sticking_speed_exponent [-]", "sticking_speed_exponent_error [-]", "contact_time_exponent [-]",
-           "contact_time_exponent_error [-]", "max_overlap_exponent [-]", "max_overlap_exponent_error [-]"});
-  for (const LawSummary& s : study.summaries) {
-    csv.add({s.law, std::string(s.softer ? "below 1" : "1 and above"), std::string(s.exact ? "true" : "false"), s.restitution_change,
-             static_cast<double>(s.verdict_changes), s.reduced_restitution_change, exponent(s.sticking_speed),
-             exponent_error(s.sticking_speed), exponent(s.contact_time), exponent_error(s.contact_time), exponent(s.max_overlap),
-             exponent_error(s.max_overlap)});
-  }
-  return csv.text();
-}
-
 /// e(v) of the original by table, densely, and how far it is from the exact engine.
 struct TableCheck {
   std::string csv;
@@ -51,7 +28,7 @@ struct TableCheck {
 
 TableCheck check_table(const InvarianceChapter& chapter) {
   const ScaledContact original(chapter.input.contact, chapter.input.colliding(), *find_scaling_law("none"), 1);
-  CollisionSource source(chapter.table.table, original.reduced(1.0).damping_ratio, 1e-10);
+  CollisionSource source(chapter.table->table, original.reduced(1.0).damping_ratio, 1e-10);
   const auto [low, high] = std::minmax_element(chapter.study.speeds.begin(), chapter.study.speeds.end());
   Csv csv({"normal_speed [m/s]", "restitution_normal [-]", "restitution_exact [-]", "contact_time [s]"});
   TableCheck check;
@@ -67,35 +44,6 @@ TableCheck check_table(const InvarianceChapter& chapter) {
   }
   check.csv = csv.text(), check.looked_up = source.looked_up(), check.exact = source.resolved_exactly();
   return check;
-}
-
-/// A law at one of its factors.
-struct Example {
-  const ScalingLaw* law;
-  double factor;
-  int style;  ///< the same law looks the same in every plot
-};
-
-/// Every law, on either side of 1, at its factor farthest from 1 or nearest to it.
-std::vector<Example> examples(const InvarianceStudy& study, bool farthest) {
-  std::vector<Example> list;
-  for (const InvarianceRecord& r : study.records) {
-    const ScalingLaw* law = find_scaling_law(r.law);
-    const auto at =
-        std::find_if(list.begin(), list.end(), [&](const Example& e) { return e.law == law && (e.factor < 1) == (r.factor < 1); });
-    const auto distance = [](double factor) { return std::abs(std::log(factor)); };
-    if (at == list.end()) {
-      list.push_back({law, r.factor, 1 + static_cast<int>(list.size())});
-    } else if (farthest == (distance(r.factor) > distance(at->factor))) {
-      at->factor = r.factor;
-    }
-  }
-  return list;
-}
-
-std::string readable(std::string name) {
-  std::replace(name.begin(), name.end(), '_', ' ');
-  return name;
 }
 
 /// Force over overlap of original and scaled in Washino's variables (2024, eqs 79–83): overlap over (m*v²/(E*√R*))^{2/5},
@@ -137,12 +85,19 @@ std::vector<Plot> plots(const InvarianceChapter& chapter, double loop_speed) {
          true,
          false,
          {}};
-  e.curves.push_back({"restitution.csv", "1", "2", "original (table)"});
+  if (study.wet) {
+    const Example first = examples(study, true).front();
+    e.curves.push_back({"invariance.csv", "3", "6", "original", false, 0, only(first)});
+  } else {
+    e.curves.push_back({"restitution.csv", "1", "2", "original (table)"});
+  }
   Plot time{"contact_time", "Contact time, scaled over original: " + title, "impact speed [m/s]", "contact time ratio [-]", true, true, {}};
   for (const Example& x : examples(study, true)) {
     e.curves.push_back({"invariance.csv", "3", "5", legend(x), true, x.style, only(x)});
     time.curves.push_back({"invariance.csv", "3", "8", legend(x), true, x.style, only(x)});
   }
+  std::vector<Plot> all{e, time};
+  if (study.wet) return all;
   Plot loops{"force_overlap",
              fmt::format("Force and overlap at {:.3g} m/s: {}", loop_speed, title),
              "overlap over (m*v^2/(E*R*^{{1/2}}))^{{2/5}} [-]",
@@ -153,7 +108,7 @@ std::vector<Plot> plots(const InvarianceChapter& chapter, double loop_speed) {
   loops.curves.push_back({"loops.csv", "3", "4", "original", false, 0, "strcol(1) eq 'original'"});
   for (const Example& x : examples(study, false))
     loops.curves.push_back({"loops.csv", "3", "4", legend(x), exact(study, x), x.style, only(x)});
-  std::vector<Plot> all{e, time, loops};
+  all.push_back(loops);
   if (study.sticking_speed && *study.sticking_speed > 0) {
     Plot stick{"sticking_speed",
                "Sticking speed, scaled over original: " + title,
@@ -171,54 +126,20 @@ std::vector<Plot> plots(const InvarianceChapter& chapter, double loop_speed) {
   return all;
 }
 
-/// An exponent whose error is this small is a power law; one that the scatter over speeds leaves open is none.
-constexpr double power_law_error = 1e-6, no_power_error = 0.05;
-
-std::string moved(const std::string& what, const Trend& trend) {
-  if (!trend.exists) return "";
-  if (trend.kept) return fmt::format("keeps the {}", what);
-  if (trend.exponent_error < power_law_error) return fmt::format("moves the {} as factor^{:.3f}", what, trend.exponent);
-  if (trend.exponent_error < no_power_error)
-    return fmt::format("moves the {} about as factor^({:.3f} ± {:.1g})", what, trend.exponent, trend.exponent_error);
-  return fmt::format("moves the {} by up to {:.3g} times itself, not by one power of the factor", what, trend.largest);
-}
-
-std::string verdict(const Trend& trend) {
-  if (!trend.exists) return "–";
-  if (trend.kept) return "kept";
-  if (trend.exponent_error > no_power_error) return fmt::format("moves by up to {:.3g}", trend.largest);
-  return fmt::format("{}factor^{:.3f}", trend.exponent_error < power_law_error ? "" : "about ", trend.exponent);
-}
-
-std::string full_name(const LawSummary& s) {
-  const ScalingLaw* law = find_scaling_law(s.law);
-  return law->factor_of == FactorOf::stiffness_or_size ? fmt::format("{} ({})", s.law, s.softer ? "softer" : "larger") : s.law;
-}
-
 }  // namespace
-
-std::string in_words(const LawSummary& s) {
-  std::string text = full_name(s) + (s.restitution_change < kept_tolerance
-                                         ? std::string(" keeps the restitution at every speed")
-                                         : fmt::format(" changes the restitution by up to {:.3g}", s.restitution_change));
-  if (s.verdict_changes > 0)
-    text += fmt::format(" ({} of its collisions stick where the original's do not, or the reverse)", s.verdict_changes);
-  for (const auto& [what, trend] :
-       {std::pair{"sticking speed", &s.sticking_speed}, {"contact time", &s.contact_time}, {"largest overlap", &s.max_overlap}}) {
-    if (const std::string part = moved(what, *trend); !part.empty()) text += "; it " + part;
-  }
-  return text + ".";
-}
 
 bool write_chapter(const InvarianceChapter& chapter, const std::filesystem::path& folder, HtmlReport& report) {
   const InvarianceStudy& study = chapter.study;
-  const TableCheck check = check_table(chapter);
   const double loop_speed =
       study.sticking_speed && *study.sticking_speed > 0 ? 2 * *study.sticking_speed : study.speeds[study.speeds.size() / 2];
   write_file(folder / "invariance.csv", records_csv(study));
   write_file(folder / "summary.csv", summary_csv(study));
-  write_file(folder / "restitution.csv", check.csv);
-  write_file(folder / "loops.csv", loops_csv(chapter, loop_speed));
+  TableCheck check;
+  if (!study.wet) {
+    check = check_table(chapter);
+    write_file(folder / "restitution.csv", check.csv);
+    write_file(folder / "loops.csv", loops_csv(chapter, loop_speed));
+  }
   bool drawn = true;
   for (const Plot& plot : plots(chapter, loop_speed)) drawn = draw(plot, folder) && drawn;
 
@@ -228,22 +149,30 @@ bool write_chapter(const InvarianceChapter& chapter, const std::filesystem::path
       "{}: R* = {:.4g} m, m* = {:.4g} kg, E* = {:.4g} Pa, surface energy (of one surface) {:.4g} J/m². Modelled: contact law {}.{}",
       chapter.input.against_wall ? "A sphere and a flat wall" : "Two spheres", pair.radius, pair.mass, pair.young, pair.surface_energy,
       to_string(effective_kind(chapter.input.contact, pair.surface_energy)),
-      study.sticking_speed ? fmt::format(" Sticking speed of the original: {:.5g} m/s.", *study.sticking_speed) : " Nothing adheres."));
-  const TableQuality& quality = chapter.table.table.quality();
-  report.paragraph(
-      fmt::format("Collision table: {} × {} nodes, measured error {:.1e} (largest, in e² and relative contact time, {} fresh collisions), "
-                  "{}. Along the curve below it differs from the exact engine by at most {:.1e} in e²; {} of {} points were looked up, {} "
-                  "resolved exactly.",
-                  chapter.table.table.damping_axis().count, chapter.table.table.speed_axis().count, quality.error_max, quality.samples,
-                  chapter.table.built ? fmt::format("built in {:.2f} s", chapter.table.build_seconds) : std::string("read from the cache"),
-                  check.largest, check.looked_up, check.looked_up + check.exact, check.exact));
+      study.wet              ? std::string(" A liquid acts: all below is of the exact motion with it.")
+      : study.sticking_speed ? fmt::format(" Sticking speed of the original: {:.5g} m/s.", *study.sticking_speed)
+                             : " Nothing adheres."));
+  if (!study.wet) {
+    const TableQuality& quality = chapter.table->table.quality();
+    report.paragraph(fmt::format(
+        "Collision table: {} × {} nodes, measured error {:.1e} (largest, in e² and relative contact time, {} fresh collisions), "
+        "{}. Along the curve below it differs from the exact engine by at most {:.1e} in e²; {} of {} points were looked up, {} "
+        "resolved exactly.",
+        chapter.table->table.damping_axis().count, chapter.table->table.speed_axis().count, quality.error_max, quality.samples,
+        chapter.table->built ? fmt::format("built in {:.2f} s", chapter.table->build_seconds) : std::string("read from the cache"),
+        check.largest, check.looked_up, check.looked_up + check.exact, check.exact));
+  }
+  if (study.motion) report.paragraph(motion_introduction(chapter.input));
   std::vector<std::vector<std::string>> rows;
   for (const LawSummary& s : study.summaries) {
     rows.push_back({full_name(s), s.exact ? "yes" : "no",
                     s.restitution_change < kept_tolerance ? "kept" : fmt::format("up to {:.3g}", s.restitution_change),
                     verdict(s.sticking_speed), verdict(s.contact_time), verdict(s.max_overlap)});
   }
-  report.table({"law", "exact for the pair", "restitution change", "sticking speed", "contact time", "largest overlap"}, rows);
+  report.table({"law", study.motion ? "normal contact exact" : "exact for the pair", "restitution change", "sticking speed", "contact time",
+                "largest overlap"},
+               rows);
+  if (study.motion) report_motion(study, report);
   for (const LawSummary& s : study.summaries) report.paragraph(in_words(s));
   report.figure(folder / "restitution.svg",
                 "Restitution over impact speed: the original (line) and every law at its factor farthest from 1 (marks). A law whose marks "
@@ -255,10 +184,11 @@ bool write_chapter(const InvarianceChapter& chapter, const std::filesystem::path
     report.figure(folder / "sticking_speed.svg",
                   "Sticking speed over the original's, against the factor: 1 is kept. Above 1 the scaled particles are stickier than the "
                   "real ones.");
-  report.figure(folder / "force_overlap.svg",
-                "Force against overlap in the variables of the impact (Washino et al. 2024, eqs 79–83): laws that are exact for the pair "
-                "(marks) fall on the original, the others (lines) do not. Every law at its factor nearest to 1.");
-  return drawn;
+  if (!study.wet)
+    report.figure(folder / "force_overlap.svg",
+                  "Force against overlap in the variables of the impact (Washino et al. 2024, eqs 79–83): laws that are exact for the pair "
+                  "(marks) fall on the original, the others (lines) do not. Every law at its factor nearest to 1.");
+  return write_oblique_charts(chapter.input, study, chapter.title, folder, chapter.threads, report) && drawn;
 }
 
 }  // namespace scalebreak

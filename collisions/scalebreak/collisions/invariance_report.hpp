@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,14 +16,13 @@ struct InvarianceChapter {
   std::string title;
   Input input;
   InvarianceStudy study;
-  StoredTable table;
+  std::optional<StoredTable> table;  ///< of its normal contact; none if a liquid has its say in the normal motion too
+  int threads = 0;                   ///< 0: all
 };
 
-/// Writes invariance.csv, summary.csv, restitution.csv, loops.csv and the plots into `folder`, and adds the chapter to the
-/// report, with in words which law keeps what. False if a plot could not be drawn.
+/// Writes invariance.csv, summary.csv, of a dry pair restitution.csv and loops.csv, where more than the normal motion happens
+/// motion.csv and the files of its charts, and the plots into `folder`, and adds the chapter to the report, with in words which
+/// law keeps what. False if a plot could not be drawn.
 bool write_chapter(const InvarianceChapter& chapter, const std::filesystem::path& folder, HtmlReport& report);
-
-/// What a law keeps and moves, in one sentence.
-[[nodiscard]] std::string in_words(const LawSummary& summary);
 
 }  // namespace scalebreak
