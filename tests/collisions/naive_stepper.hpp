@@ -111,18 +111,19 @@ class NaivePair {
   /// Stretches a spring by `speed` for `dt`, and returns its force with the dashpot's, both within the limit.
   static Vector3d stretched(const SliderLaw& law, const Vector3d& speed, const Vector3d& n, double dt, Vector3d& history) {
     history -= n * n.dot(history);
+    const Vector3d old = history;
     history += (law.incremental ? law.stiffness : 1.0) * dt * speed;
     const double stiffness = law.incremental ? 1.0 : law.stiffness;
     const Vector3d spring = stiffness * history;
     const Vector3d limited = law.dashpot_is_limited ? Vector3d(spring + law.damping * speed) : spring;
     if (limited.norm() <= law.limit) return spring + law.damping * speed;
-    Vector3d force = law.limit * limited.normalized(), left = force;
+    const Vector3d force = law.limit * limited.normalized();
+    Vector3d left = force;
     if (law.dashpot_is_limited) {
       left -= law.damping * speed;
-      if (left.dot(force) < 0) {  // it would have to push forward
-        left.setZero();
-        force = law.limit * speed.normalized();
-      }
+      // It would have to push forward, and further than it did: then it is let be.
+      const double before = stiffness * old.dot(force), after = left.dot(force), size = 1e-9 * force.squaredNorm();
+      if (after < -size && after < before) left = before > size ? Vector3d(left - force * (after / force.squaredNorm())) : stiffness * old;
     }
     history = stiffness > 0 ? Vector3d(left / stiffness) : Vector3d::Zero();
     return force;

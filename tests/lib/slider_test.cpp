@@ -97,35 +97,48 @@ TYPED_TEST(SliderTest, FollowsAStiffnessThatChangesOnlyWithADisplacement) {
 
 TYPED_TEST(SliderTest, SkidsWhereTheDashpotAloneExceedsTheLimit) {
   const SliderLaw law = this->friction();
+  const double end = law.limit / law.damping;
+  const auto still = this->vector(0), faster = this->vector(1);
   Slider<TestFixture::D> slider;
   slider.slide_along(this->vector(1));
-  EXPECT_LT(slider.begin_of_skid(law, this->vector(6.66)), 0);
-  const auto speed = this->vector(6.67);
-  EXPECT_GT(slider.begin_of_skid(law, speed), 0);
-  EXPECT_EQ(Slider<TestFixture::D>{slider}.begin_of_skid(this->rolling(), speed), -1) << "a dashpot without limit cannot exceed it";
-  const auto before = slider.force(law, speed);
-  slider.skid();
-  EXPECT_EQ(slider.force(law, speed), before);
-  EXPECT_EQ(slider.energy(law, speed), 0);
-  EXPECT_EQ(slider.rate(law, speed, speed, 1), this->vector(0));
+  EXPECT_LT(slider.begin_of_skid(law, this->vector(0.999 * end), faster), 0);
+  const auto speed = this->vector(1.001 * end);
+  EXPECT_GT(slider.begin_of_skid(law, speed, faster), 0);
+  EXPECT_LT(slider.begin_of_skid(law, speed, this->vector(-1)), 0) << "a spring that pushes forward and relaxes goes on sliding";
+  EXPECT_EQ(Slider<TestFixture::D>{slider}.begin_of_skid(this->rolling(), speed, faster), -1) << "a dashpot without limit cannot exceed it";
+  const auto at_end = this->vector(end);
+  const auto before = slider.force(law, at_end);
+  slider.skid(law, at_end);
+  EXPECT_NEAR((slider.force(law, at_end) - before).norm(), 0, 1e-14);
+  EXPECT_NEAR(slider.energy(law, at_end), 0, 1e-30);
+  EXPECT_EQ(slider.rate(law, speed, speed, 1), still);
   EXPECT_LT(slider.end_of_grip(law, speed, speed, 1), 0);
 }
 
-TYPED_TEST(SliderTest, SkidsAlongItsSpeedWhateverItsSpringWas) {
+TYPED_TEST(SliderTest, KeepsASpringThatPushesForwardWhileItSkids) {
+  // Whether it slips for a moment or not at all must come to the same: the spring is as it was.
   const SliderLaw law = this->friction();
-  const auto speed = this->vector(8, 3);
-  Slider<TestFixture::D> slider{this->vector(-0.01)};
-  slider.slip(law, law.stiffness * slider.history + law.damping * speed, speed);
+  const auto stretch = this->vector(-0.01);
+  const auto speed = this->vector((law.limit + 0.01 * law.stiffness) / law.damping * (1 + 1e-9));
+  Slider<TestFixture::D> slider{stretch};
+  const auto before = slider.force(law, speed);
+  ASSERT_GT(slider.end_of_grip(law, speed, speed, 1), 0);
+  slider.let_go(law, speed, speed, 1);
   EXPECT_EQ(slider.grip, Grip::skids);
-  EXPECT_NEAR(slider.force(law, speed).dot(speed), law.limit * speed.norm(), 1e-13);
+  EXPECT_NEAR((slider.force(law, speed) - before).norm(), 0, 1e-7);
+  EXPECT_EQ(slider.history, stretch);
+  const auto slower = this->vector(speed.norm() * (1 - 1e-6)), slows = this->vector(-1e4);
+  ASSERT_GT(slider.end_of_grip(law, slower, slows, 1), 0);
+  slider.let_go(law, slower, slows, 1);
+  EXPECT_EQ(slider.grip, Grip::holds);
+  EXPECT_EQ(slider.history, stretch);
 }
 
 TYPED_TEST(SliderTest, SlidesFromASkidWithoutAJumpWhereItsDashpotFallsToTheLimit) {
   const SliderLaw law = this->friction();
   const double end = law.limit / law.damping;
   const auto speed = this->vector(end * (1 - 1e-12)), slows = this->vector(-1);
-  Slider<TestFixture::D> slider;
-  slider.skid();
+  Slider<TestFixture::D> slider{this->vector(0), Grip::skids};
   EXPECT_LT(slider.end_of_grip(law, this->vector(end * 1.01), slows, 1), 0);
   EXPECT_GT(slider.end_of_grip(law, speed, slows, 1), 0);
   const auto before = slider.force(law, speed);
@@ -139,8 +152,7 @@ TYPED_TEST(SliderTest, HoldsFromASkidThatSlowsTooFast) {
   const SliderLaw law = this->friction();
   const double end = law.limit / law.damping;
   const auto speed = this->vector(end * (1 - 1e-12)), slows = this->vector(-1e4);
-  Slider<TestFixture::D> slider;
-  slider.skid();
+  Slider<TestFixture::D> slider{this->vector(0), Grip::skids};
   const auto before = slider.force(law, speed);
   slider.let_go(law, speed, slows, 1);
   EXPECT_EQ(slider.grip, Grip::holds);

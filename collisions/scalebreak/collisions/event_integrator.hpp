@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <functional>
@@ -22,8 +23,9 @@ namespace scalebreak {
 ///     event_values(y, values)                  one number per event, at most 0 while it has not happened
 ///     double scale(i) const                    what an error of component i is measured against
 ///
-/// An event lies where a value passes from at most 0 to above. Values are looked at three times in every step, on the cubic
-/// through its ends, and the first that is found is located on the step itself.
+/// An event lies where a value passes from at most 0 to above. Values are looked at four times in every step, on the cubic
+/// through its ends, and between the looks where a parabola through three of them peaks about zero: a short slip shows itself in that alone. The
+/// first that is found is located on the step itself.
 template <class System, class Algebra>
 class EventIntegrator {
  public:
@@ -44,26 +46,24 @@ class EventIntegrator {
     system_(before_, rate_, 0.0);
     const double h = accepted_step();
     system_(after_, end_rate_, 0.0);
-    double from = 0;
-    for (const double u : {1.0 / 3, 2.0 / 3, 1.0}) {
-      u < 1 ? cubic(u, h, middle_) : void(middle_ = after_);
-      system_.event_values(middle_, values_);
+    look(h);
+    for (int part = 0; part < parts; ++part) {
+      const double from = mark(part), to = mark(part + 1);
       double earliest = 2;
       int first = none;
-      for (std::size_t k = 0; k < values_.size(); ++k) {
-        if (!(values_[k] > 0)) continue;
+      for (std::size_t k = 0; k < looks_[0].size(); ++k) {
+        const double seen = looks_[static_cast<std::size_t>(part) + 1][k] > 0 ? to : hidden_peak(k, part, h);
+        if (!(seen > from)) continue;
         // One that has not happened shortly before the earliest does not matter: most fire because that one has passed.
         if (first != none && !(value_at(k, earliest - 1e-7, h) > 0)) continue;
-        const double root = locate(k, from, u, h);
+        const double root = locate(k, from, seen, h);
         if (root < earliest) earliest = root, first = static_cast<int>(k), found_ = last_;
       }
-      if (first != none) {
-        state = found_;
-        last_step_ = h, last_end_ = earliest;
-        ++steps_;
-        return first;
-      }
-      from = u;
+      if (first == none) continue;
+      state = found_;
+      last_step_ = h, last_end_ = earliest;
+      ++steps_;
+      return first;
     }
     state = after_;
     last_step_ = h, last_end_ = 1;
@@ -75,7 +75,7 @@ class EventIntegrator {
   /// for on the cubic and then climbed on the step itself.
   template <class F>
   double peak(const F& f, double known) {
-    constexpr int parts = 4;
+    constexpr int looks = 4;
     const auto seen = [&](double u) {
       cubic(u, last_step_, scratch_);
       return f(scratch_);
@@ -85,20 +85,20 @@ class EventIntegrator {
       if (u > 0) stepper_.do_step(std::ref(system_), before_, rate_, 0.0, scratch_, u * last_step_);
       return f(scratch_);
     };
-    const auto at = [&](int k) { return last_end_ * k / parts; };
+    const auto at = [&](int k) { return last_end_ * k / looks; };
     int top = 0;
     double highest = seen(0);
-    for (int k = 1; k <= parts; ++k) {
+    for (int k = 1; k <= looks; ++k) {
       const double value = seen(at(k));
       if (value > highest) highest = value, top = k;
     }
     constexpr double inward = 1e-3;
-    const bool at_an_end = (top == 0 && seen(inward * last_end_) <= highest) || (top == parts && seen((1 - inward) * last_end_) <= highest);
+    const bool at_an_end = (top == 0 && seen(inward * last_end_) <= highest) || (top == looks && seen((1 - inward) * last_end_) <= highest);
     // Between the marks a smooth peak stands little above them.
     if (at_an_end || highest < 0.8 * known) return known;
     std::uintmax_t iterations = 40;
     const auto lowest = boost::math::tools::brent_find_minima([&](double u) { return -exact(u); }, at(std::max(0, top - 1)),
-                                                              at(std::min(parts, top + 1)), 22, iterations);
+                                                              at(std::min(looks, top + 1)), 22, iterations);
     return std::max(known, -lowest.second);
   }
 
@@ -136,6 +136,35 @@ class EventIntegrator {
     }
   }
 
+  static constexpr int parts = 3;
+  static double mark(int part) { return static_cast<double>(part) / parts; }
+
+  /// All values at the marks of the step.
+  void look(double h) {
+    system_.event_values(before_, looks_[0]);
+    for (int part = 1; part < parts; ++part) {
+      cubic(mark(part), h, middle_);
+      system_.event_values(middle_, looks_[static_cast<std::size_t>(part)]);
+    }
+    system_.event_values(after_, looks_[parts]);
+  }
+
+  /// Where, after mark `part` and before the next, value k rises above zero and falls again, to judge by its looks; else 0.
+  double hidden_peak(std::size_t k, int part, double h) {
+    for (const int middle : {part, part + 1}) {
+      if (middle < 1 || middle >= parts) continue;
+      const auto at = [&](int m) { return looks_[static_cast<std::size_t>(m)][k]; };
+      const double a = at(middle - 1), b = at(middle), c = at(middle + 1), bend = a - 2 * b + c;
+      if (!(bend < 0) || a > 0 || b > 0 || c > 0) continue;
+      const double place = (a - c) / (2 * bend), top = b - (a - c) * (a - c) / (8 * bend);
+      const double u = mark(middle) + place / parts;
+      if (u <= mark(part) || u >= mark(part + 1) || top < -0.1 * (top - std::min(a, c))) continue;
+      cubic(u, h, scratch_);
+      if (value_of(k, scratch_) > 0) return u;
+    }
+    return 0;
+  }
+
   /// The state at u of the step by the cubic through its ends and slopes.
   void cubic(double u, double h, State& y) {
     const double v = 1 - u, a = v * v * (1 + 2 * u), b = u * u * (3 - 2 * u), c = h * u * v * v, d = -h * u * u * v;
@@ -168,7 +197,7 @@ class EventIntegrator {
       (estimate(middle) > 0 ? high : low) = middle;
     }
     // Then on the step itself, by secants from the cubic's slope; to just past the root, so that it is not found again.
-    const double past = std::max(1e-14, 1e-3 * std::min(tolerance_, 1e-6));
+    const double past = std::max(1e-14, 1e-4 * std::min(tolerance_, 1e-6));
     double u = high, value = exact(u), slope = (estimate(high) - estimate(low)) / (high - low);
     double last_u = u, last_value = value;
     for (int i = 0; i < 8 && slope > 0; ++i) {
@@ -209,7 +238,8 @@ class EventIntegrator {
   double max_step_ = std::numeric_limits<double>::infinity();
   double last_root_ = 1;
   State before_{}, after_{}, rate_{}, end_rate_{}, error_{}, middle_{}, last_{}, found_{}, scratch_{};
-  typename System::Values values_{}, scratch_values_{};
+  std::array<typename System::Values, parts + 1> looks_{};
+  typename System::Values scratch_values_{};
   double last_step_ = 0, last_end_ = 1;  ///< of the last step: its length, and the share of it that was gone
   int steps_ = 0;
   int tries_ = 0;

@@ -46,7 +46,7 @@ class Motion {
 
   /// From one change of the links to the next; true if all rests.
   bool follow() {
-    Integrator integrator(system_, options_.tolerance / 4, next_step_);
+    Integrator integrator(system_, options_.tolerance / 16, next_step_);
     if (options_.sample_interval > 0) integrator.limit_step(options_.sample_interval / system_.time_unit());
     for (;;) {
       const std::size_t size = state_.size();

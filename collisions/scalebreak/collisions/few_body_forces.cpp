@@ -281,7 +281,7 @@ double FewBodySystem::roll_event(const Link& link, const Evaluated& e) const {
   if (rolling.rigid()) {
     // A little past zero: what has just been let go starts there.
     return link.roll == Grip::slides ? -1e-13 * scales_[link.pair].roll - e.roll.direction().dot(e.roll_speed)
-                                     : e.torque.norm() - e.roll_law.limit * (1 + 1e-11);
+                                     : e.torque.norm() - e.roll_law.limit * (1 + 1e-13);
   }
   return e.roll.end_of_grip(e.roll_law, e.roll_speed, e.roll_acceleration, time_rate_ * laws_[link.pair].length);
 }
@@ -304,7 +304,7 @@ void FewBodySystem::event_values(const State& y, Values& values) {
       if (!link.rooted && laws.needs_overlap_root()) set(LinkEvent::phase_begin, (e.coordinate - touch) / scales.coordinate);
       if (laws.tangential.acts()) {
         set(LinkEvent::slide, e.slide.end_of_grip(e.slide_law, e.slide_speed, e.slide_acceleration, time_rate_ * laws_[link.pair].length));
-        set(LinkEvent::skid, e.slide.begin_of_skid(e.slide_law, e.slide_speed));
+        set(LinkEvent::skid, e.slide.begin_of_skid(e.slide_law, e.slide_speed, e.slide_acceleration));
       }
       set(LinkEvent::roll, roll_event(link, e));
       if (laws.uses_load()) set(LinkEvent::load_sign, -e.point.load);

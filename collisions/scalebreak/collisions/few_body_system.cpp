@@ -384,7 +384,7 @@ std::vector<FewBodySystem::Change> FewBodySystem::apply(std::size_t k, State& y)
       break;
     }
     case LinkEvent::skid:
-      evaluated_[c].slide.skid();
+      evaluated_[c].slide.skid(evaluated_[c].slide_law, evaluated_[c].slide_speed);
       set_slide(y, c, evaluated_[c].slide, changes);
       break;
     case LinkEvent::roll: change_roll(y, c, changes); break;

@@ -135,7 +135,7 @@ class PlanarSystem {
     if (!rooted_ && laws_.needs_overlap_root()) values[phase_begin] = (y[coordinate] - law_.touch()) / scales_.coordinate;
     if (laws_.tangential.acts()) {
       values[slip_end] = slide_.end_of_grip(slide_law_, slide_speed_, slide_acceleration_, dt_);
-      values[skid_begin] = slide_.begin_of_skid(slide_law_, slide_speed_);
+      values[skid_begin] = slide_.begin_of_skid(slide_law_, slide_speed_, slide_acceleration_);
     }
     if (laws_.rolling.rigid()) {
       values[roll_change] = roll_.grip == Grip::slides ? -roll_.history[0] * roll_speed_[0] / roll_unit() - 1e-13
@@ -167,7 +167,7 @@ class PlanarSystem {
         outcome.holds += slide_.grip == Grip::holds;
         outcome.slips += slide_.grip != Grip::holds;
         break;
-      case skid_begin: slide_.skid(); break;
+      case skid_begin: slide_.skid(slide_law_, slide_speed_); break;
       case roll_change: change_roll(y, outcome); break;
       case load_sign:
         load_sign_ = -load_sign_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include <scalebreak/contact/contact_point.hpp>
@@ -16,13 +17,14 @@ struct SliderLaw {
   bool incremental = false;         ///< the history is the spring's force, dF = k du; else its displacement, F = k u
 };
 
-/// How a slider moves. `skids`: its dashpot alone exceeds the limit, and its spring is unstretched. (A spring that made up for
-/// the dashpot would push forward; in a contact that stiffens as it grows it would soon reverse the friction.)
+/// How a slider moves. `skids`: its dashpot alone exceeds the limit, and its spring is left as it is, unstretched or pushing forward.
+/// (A spring that made up for the dashpot would be driven forward ever further where the contact begins; in one that stiffens as it
+/// grows it would soon reverse the friction.)
 enum class Grip { holds, slides, skids };
 
 /// A spring and dashpot in series with a slider, in a contact plane: the history of sliding and of rolling. While it holds,
 /// `history` is the spring's displacement (or its force, if the law is incremental); while it slides, it is the unit direction
-/// of the force, and the spring is such that what the limit is on equals the limit. Forces are returned along
+/// of the force, and the spring is such that what the limit is on equals the limit; while it skids, the displacement again. Forces are returned along
 /// the motion that they oppose.
 ///
 /// Velocities are per unit of true time; rates and accelerations per unit of the integrator's time, which is
@@ -39,7 +41,7 @@ struct Slider {
       case Grip::slides: return law.limit * direction();
       case Grip::skids: break;
     }
-    return law.limit * unit(speed);
+    return law.limit * unit(limited(law, speed));
   }
 
   /// The history's rate of change. `acceleration` is that of `speed`.
@@ -54,35 +56,42 @@ struct Slider {
   /// a dashpot back below it.
   [[nodiscard]] double end_of_grip(const SliderLaw& law, const Tangent<D>& speed, const Tangent<D>& acceleration, double dt) const {
     switch (grip) {
-      case Grip::holds: return limited(law, speed).norm() - law.limit * (1 + 1e-11);
+      case Grip::holds: return limited(law, speed).norm() - law.limit * (1 + 1e-13);
       case Grip::slides: return rest(law, speed, acceleration, dt);
       case Grip::skids: break;
     }
-    return law.limit - law.damping * speed.norm();
+    return law.limit - limited(law, speed).norm();
   }
-  /// Above zero where what slides begins to skid.
-  [[nodiscard]] double begin_of_skid(const SliderLaw& law, const Tangent<D>& speed) const {
-    return law.dashpot_is_limited && grip == Grip::slides ? law.damping * speed.dot(direction()) - law.limit : -1.0;
+  /// Above zero where what slides begins to skid: its spring pushes forward, and would be driven further.
+  [[nodiscard]] double begin_of_skid(const SliderLaw& law, const Tangent<D>& speed, const Tangent<D>& acceleration) const {
+    if (!law.dashpot_is_limited || grip != Grip::slides || !(law.stiffness > 0)) return -1;
+    const double pull = direction().dot(spring(law, speed));
+    const double pull_rate = law.limit_rate - direction().dot(law.damping * acceleration + law.damping_rate * speed);
+    const double relaxing = pull_rate - pull * law.stiffness_rate / law.stiffness;
+    return std::min(-pull, -relaxing);
   }
 
   /// What follows the end of a grip.
   void let_go(const SliderLaw& law, const Tangent<D>& speed, const Tangent<D>& acceleration, double dt) {
     switch (grip) {
-      case Grip::holds: return slip(law, limited(law, speed), speed);
+      case Grip::holds: return slip(law, speed);
       case Grip::slides: return hold(law, speed);
       case Grip::skids: break;
     }
-    slide_along(speed);
-    if (rest(law, speed, acceleration, dt) > 0) hold(law, speed);
+    const Tangent<D> kept = history;
+    slide_along(limited(law, speed));
+    if (rest(law, speed, acceleration, dt) > 0) history = kept, grip = Grip::holds;
   }
-  void skid() {
+  /// What slides skids from now on.
+  void skid(const SliderLaw& law, const Tangent<D>& speed) {
+    history = spring(law, speed) / law.stiffness;
     grip = Grip::skids;
-    history.setZero();
   }
-  /// Slides, or skids where the dashpot alone exceeds the limit. `force` is what exceeds it.
-  void slip(const SliderLaw& law, const Tangent<D>& force, const Tangent<D>& speed) {
+  /// Lets go of what exceeds the limit: slides, or skids where the spring would have to push forward.
+  void slip(const SliderLaw& law, const Tangent<D>& speed) {
+    const Tangent<D> kept = history, force = limited(law, speed);
     slide_along(force.norm() > 0 ? force : speed);
-    if (begin_of_skid(law, speed) >= 0) skid();
+    if (law.dashpot_is_limited && direction().dot(spring(law, speed)) < 0) history = kept, grip = Grip::skids;
   }
   void slide_along(const Tangent<D>& force) {
     grip = Grip::slides;
@@ -110,8 +119,7 @@ struct Slider {
   }
   /// The spring's force.
   [[nodiscard]] Tangent<D> spring(const SliderLaw& law, const Tangent<D>& speed) const {
-    if (grip == Grip::holds) return (law.incremental ? 1.0 : law.stiffness) * history;
-    if (grip == Grip::skids) return Tangent<D>::Zero();
+    if (grip != Grip::slides) return (law.incremental ? 1.0 : law.stiffness) * history;
     return law.limit * direction() - (law.dashpot_is_limited ? law.damping : 0.0) * speed;
   }
   /// What the limit is on.
@@ -139,10 +147,11 @@ struct Slider {
 /// The slider of a contact that begins at `speed`: what it does from its first instant is asked at `law`, `time` later.
 template <int D>
 [[nodiscard]] Slider<D> first_slider(const SliderLaw& law, const Tangent<D>& speed, double time) {
-  Slider<D> stretched{Tangent<D>((law.incremental ? law.stiffness * time : time) * speed)};
-  if (!(stretched.end_of_grip(law, speed, Tangent<D>::Zero(), 0.0) > 0)) return {};
-  stretched.slip(law, speed, speed);
-  return stretched;
+  Slider<D> slider{Tangent<D>((law.incremental ? law.stiffness * time : time) * speed)};
+  if (!(slider.end_of_grip(law, speed, Tangent<D>::Zero(), 0.0) > 0)) return {};
+  slider.slip(law, speed);
+  if (slider.grip == Grip::skids) slider.history.setZero();
+  return slider;
 }
 
 }  // namespace scalebreak
