@@ -1,7 +1,9 @@
 #include <chrono>
+#include <cmath>
 
 #include <fmt/format.h>
 
+#include <scalebreak/collisions/oblique_table_builder.hpp>
 #include <scalebreak/contact/damping.hpp>
 #include <scalebreak/output/atomic_file.hpp>
 #include <scalebreak/output/csv.hpp>
@@ -14,6 +16,9 @@ namespace scalebreak::apps {
 namespace {
 
 using nlohmann::json;
+
+/// Of the tangential outcomes; the normal ones have numerics.table_tolerance.
+constexpr double oblique_tolerance = 1e-4;
 
 /// Mean time of a lookup at one damping ratio [ns], over scattered speeds.
 double measure_lookup(const CollisionTable& table) {
@@ -43,6 +48,48 @@ json table_json(const StoredTable& stored) {
           {"built", stored.built},
           {"build_seconds", stored.build_seconds},
           {"lookup_ns", measure_lookup(table)}};
+}
+
+/// Mean time of a lookup of an oblique table [ns], over scattered speeds and angles.
+double measure_lookup(const ObliqueTable& table) {
+  constexpr int count = 1'000'000;
+  unsigned random = 1;
+  double sum = 0;
+  const double slowest = 1.2 * std::sqrt(table.sticking_squared()) + 1;
+  const auto start = std::chrono::steady_clock::now();
+  for (int i = 0; i < count; ++i) {
+    random = random * 1664525u + 1013904223u;
+    const auto found = table.find(slowest + 1e-5 * (random >> 8), 1e-4 * (random & 0xffff));
+    sum += found ? found->surface_restitution : 0;
+  }
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return std::isfinite(sum) ? seconds / count * 1e9 : 0;
+}
+
+json oblique_json(const StoredObliqueTable& stored) {
+  const ObliqueTable& table = stored.table;
+  return {{"kind", to_string(table.key().kind)},
+          {"surface", to_string(table.key().surface)},
+          {"tolerance", table.key().tolerance},
+          {"entries", table.entries().values().size()},
+          {"cells", table.entries().cells()},
+          {"bytes", table.bytes()},
+          {"error_max", table.quality().error_max},
+          {"error_rms", table.quality().error_rms},
+          {"turning_error_median", table.quality().turning_error_median},
+          {"built", stored.built},
+          {"build_seconds", stored.build_seconds},
+          {"lookup_ns", measure_lookup(table)}};
+}
+
+/// The pair's own table of oblique collisions, if the input has friction: beside the table of its normal collisions.
+json oblique_result(const Options& options, const Input& input) {
+  const auto [key, reason] = oblique_key(input, oblique_tolerance);
+  if (!key) {
+    options.say("no oblique table: " + reason);
+    return nullptr;
+  }
+  return oblique_json(obtain_oblique_table(*key, options.store(), options.rebuild));
 }
 
 /// The rows of nine restitutions put in, as a CSV and as plots of the restitution and the contact time that come out.
@@ -83,6 +130,15 @@ void write_files(const Options& options, const CollisionTable& table) {
   }
 }
 
+void print_oblique(const json& j) {
+  fmt::print(
+      "oblique, {}: {} entries in {} cells, {:.1f} MiB, largest error {:.2e} (asked {:g}), rms {:.2e}, {}, {:.0f} ns a lookup\n",
+      j["surface"].get<std::string>(), j["entries"].get<std::size_t>(), j["cells"].get<std::size_t>(), j["bytes"].get<double>() / 1048576,
+      j["error_max"].get<double>(), j["tolerance"].get<double>(), j["error_rms"].get<double>(),
+      j["built"].get<bool>() ? fmt::format("built in {:.1f} s", j["build_seconds"].get<double>()) : std::string("read from the cache"),
+      j["lookup_ns"].get<double>());
+}
+
 void print(const json& j) {
   fmt::print(
       "{}: {} entries, largest error {:.2e} (asked {:g}), rms {:.2e}, {}, {:.1f} ns a lookup\n", j["kind"].get<std::string>(),
@@ -100,7 +156,12 @@ void add_table(CLI::App& app, Options& options, std::function<void()>& job) {
   command->add_flag("--rebuild", options.rebuild, "build even where a good table is kept");
   command->callback([&] {
     job = [&options] {
-      if (answered_early(options, [](const Input&) { return "about 1 s on 2 cores at the default tolerance, below 10 MB"; })) return;
+      if (answered_early(options, [](const Input& input) {
+            return std::string(input.surface.tangential == TangentialModel::none
+                                   ? "about 1 s on 2 cores at the default tolerance, below 10 MB"
+                                   : "about 30 s on 2 cores at the default tolerance, below 20 MB");
+          }))
+        return;
       const Input input = options.input();
       const auto kinds =
           options.all_kinds ? all_contact_kinds() : std::vector{effective_kind(input.contact, input.colliding().pair().surface_energy)};
@@ -110,6 +171,10 @@ void add_table(CLI::App& app, Options& options, std::function<void()>& job) {
         results.push_back(table_json(stored));
         if (!options.json) print(results.back());
         if (!options.out.empty()) write_files(options, stored.table);
+      }
+      if (!options.all_kinds && input.surface.tangential != TangentialModel::none) {
+        results.front()["oblique"] = oblique_result(options, input);
+        if (!options.json && !results.front()["oblique"].is_null()) print_oblique(results.front()["oblique"]);
       }
       deliver(options, input, "table", options.all_kinds ? json{{"tables", results}} : results.front());
     };

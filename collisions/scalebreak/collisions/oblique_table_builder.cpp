@@ -16,8 +16,8 @@ namespace {
 
 /// Below this share of ψ₀ sliding does not matter, and beyond so many ψ₀ nothing new happens.
 constexpr double least_ratio = 1e-3, most_ratio = 1e6, most_turning_ratio = 300;
-/// Errors of the turning are errors of a small correction.
-constexpr double turning_tolerance = 0.02;
+/// Errors of the turning are errors of a small correction: of it over a table's tolerance, and the narrowest cell over that.
+constexpr double turning_tolerance = 200, narrowest_turning = 1.0 / 128 / 1e-4;
 
 NormalPair reduced_normal_pair(const ObliqueKey& key) {
   const bool jkr = key.kind.adhesive();
@@ -80,6 +80,14 @@ ObliqueKeyOrReason oblique_key(const ContactKind& kind, const SurfaceKind& surfa
     key.stiffness = surfaces.spring_constant_tangential * scales.overlap / scales.force;
   }
   return {key, ""};
+}
+
+ObliqueKeyOrReason oblique_key(const Input& input, double tolerance) {
+  const Bodies bodies = input.colliding();
+  const NormalPair pair = bodies.pair();
+  const double total = bodies.against_wall() ? bodies.radius[0] : bodies.radius[0] + bodies.radius[1];
+  return oblique_key(effective_kind(input.contact, pair.surface_energy), input.surface, pair, bodies.surfaces(), solid_sphere_inertia,
+                     bodies.radius[0] / total, tolerance);
 }
 
 ObliquePair reduced_oblique_pair(const ObliqueKey& key, double depth) {
@@ -160,8 +168,8 @@ ObliqueTable build_oblique_table(const ObliqueKey& key, int threads, const std::
       .tolerance = key.tolerance, .threads = threads, .most_cells = 150'000, .one_dimensional = !adhesive, .progress = progress};
   auto entries = build_patches<2>(entry_at, build);
   PatchBuild rough = build;
-  rough.tolerance = turning_tolerance;
-  rough.narrowest = 1.0 / 128;  // across a kink the correction jumps
+  rough.tolerance = turning_tolerance * key.tolerance;
+  rough.narrowest = std::min(1.0 / 16, narrowest_turning * key.tolerance);  // across a kink the correction jumps
   auto turnings = build_patches<10>(turning_at, rough);
 
   // Measured where no node is: the points of Roberts' sequence.
@@ -179,7 +187,8 @@ ObliqueTable build_oblique_table(const ObliqueKey& key, int threads, const std::
     quality.error_rms += error * error / samples;
   }
   quality.error_rms = std::sqrt(quality.error_rms);
-  quality.turning_error_max = *std::max_element(turning_errors.begin(), turning_errors.end());
+  std::nth_element(turning_errors.begin(), turning_errors.begin() + turning_samples / 2, turning_errors.end());
+  quality.turning_error_median = turning_errors[turning_samples / 2];
   return {key, stick_squared, psi, std::move(entries), std::move(turnings), quality};
 }
 

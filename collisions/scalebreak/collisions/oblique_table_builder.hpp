@@ -5,6 +5,7 @@
 #include <string>
 
 #include <scalebreak/collisions/oblique_collision.hpp>
+#include <scalebreak/scene/input.hpp>
 #include <scalebreak/table/oblique_table.hpp>
 
 namespace scalebreak {
@@ -16,6 +17,11 @@ struct ObliqueKeyOrReason {
 };
 [[nodiscard]] ObliqueKeyOrReason oblique_key(const ContactKind& kind, const SurfaceKind& surface, const NormalPair& pair,
                                              const SurfacePair& surfaces, double inertia, double share, double tolerance);
+
+/// Of an input's pair, original system.
+[[nodiscard]] ObliqueKeyOrReason oblique_key(const Input& input, double tolerance);
+/// m*(r₁²/I₁ + r₂²/I₂) of solid spheres of any sizes.
+inline constexpr double solid_sphere_inertia = 2.5;
 
 /// A pair with the numbers of a key in reduced units (see contact/reduced.hpp; R* = m* = 1). `depth` is the overlap unit over the distance of the
 /// centres; 0: the normal never turns.

@@ -23,7 +23,7 @@ struct PatchBuild {
   std::function<void(double)> progress = {};
 };
 
-/// Builds a table of `function(x, y)`: cells are halved until the polynomial of each is within half the tolerance of the function
+/// Builds a table of `function(x, y)`: cells are halved until the polynomial of each is within a third of the tolerance of the function
 /// at nine points between its nodes. The result does not depend on the number of threads. Throws WorkError beyond `most_cells`.
 template <int Lanes, class Function>
 PatchTable<Lanes> build_patches(const Function& function, const PatchBuild& build) {
@@ -76,7 +76,7 @@ PatchTable<Lanes> build_patches(const Function& function, const PatchBuild& buil
       // A first few halvings come unasked: nine points do not see a thing that is narrow on the whole square.
       const bool coarse = cell.width_y > 0.1 || (!build.one_dimensional && cell.width_x > 0.3);
       const bool narrow = cell.width_y <= build.narrowest && (build.one_dimensional || cell.width_x <= build.narrowest);
-      if (!coarse && (narrow || cell.error <= build.tolerance / 2)) {
+      if (!coarse && (narrow || cell.error <= build.tolerance / 3)) {
         branch.next = static_cast<std::int32_t>(values.size() / Table::nodes_of_cell);
         values.insert(values.end(), cell.values.begin(), cell.values.end());
         done += cell.width_x * cell.width_y;

@@ -5,7 +5,9 @@
 
 #include <fmt/format.h>
 
+#include <scalebreak/collisions/oblique_table_builder.hpp>
 #include <scalebreak/collisions/table_builder.hpp>
+#include <scalebreak/table/oblique_table_file.hpp>
 #include <scalebreak/table/table_file.hpp>
 
 namespace scalebreak {
@@ -18,20 +20,39 @@ std::filesystem::path default_table_folder() {
   return root / "scalebreak" / "tables";
 }
 
-StoredTable obtain_table(const TableKey& key, const TableStore& store, bool rebuild) {
+namespace {
+
+/// Reads what is kept, or builds and keeps it.
+template <class Stored, class Read, class Build, class Write>
+Stored obtain(const std::string& name, const TableStore& store, bool rebuild, const Read& read, const Build& build, const Write& write) {
   if (!rebuild) {
-    TableOnDisk found = read_table(store.folder, key);
+    auto found = read();
     if (found.table) return {.table = std::move(*found.table)};
     if (!found.problem.empty() && store.say) {
-      store.say(
-          fmt::format("the table {} in {} is not used: {}; it is built anew", table_file_name(key), store.folder.string(), found.problem));
+      store.say(fmt::format("the table {} in {} is not used: {}; it is built anew", name, store.folder.string(), found.problem));
     }
   }
   const auto start = std::chrono::steady_clock::now();
-  StoredTable stored{.table = build_collision_table(key, store.threads, store.progress), .built = true};
+  Stored stored{.table = build(), .built = true};
   stored.build_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  write_table(store.folder, stored.table);
+  write(stored.table);
   return stored;
+}
+
+}  // namespace
+
+StoredTable obtain_table(const TableKey& key, const TableStore& store, bool rebuild) {
+  return obtain<StoredTable>(
+      table_file_name(key), store, rebuild, [&] { return read_table(store.folder, key); },
+      [&] { return build_collision_table(key, store.threads, store.progress); },
+      [&](const CollisionTable& table) { write_table(store.folder, table); });
+}
+
+StoredObliqueTable obtain_oblique_table(const ObliqueKey& key, const TableStore& store, bool rebuild) {
+  return obtain<StoredObliqueTable>(
+      oblique_table_file_name(key), store, rebuild, [&] { return read_oblique_table(store.folder, key); },
+      [&] { return build_oblique_table(key, store.threads, store.progress); },
+      [&](const ObliqueTable& table) { write_oblique_table(store.folder, table); });
 }
 
 CollisionSource::CollisionSource(const CollisionTable& table, double damping_ratio, double exact_tolerance)

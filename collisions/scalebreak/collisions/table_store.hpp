@@ -5,6 +5,7 @@
 #include <string>
 
 #include <scalebreak/table/collision_table.hpp>
+#include <scalebreak/table/oblique_table.hpp>
 
 namespace scalebreak {
 
@@ -29,6 +30,16 @@ struct StoredTable {
 /// Reads the table of a key from the store, or builds it and keeps it there. A stale or damaged file is named and
 /// replaced. `rebuild` builds in any case. Throws WorkError as build_collision_table does.
 [[nodiscard]] StoredTable obtain_table(const TableKey& key, const TableStore& store, bool rebuild = false);
+
+/// An oblique table and how it was had.
+struct StoredObliqueTable {
+  ObliqueTable table;
+  bool built = false;
+  double build_seconds = 0;  ///< 0 if it was read
+};
+
+/// The same for an oblique table.
+[[nodiscard]] StoredObliqueTable obtain_oblique_table(const ObliqueKey& key, const TableStore& store, bool rebuild = false);
 
 /// Collisions by table where it reaches, exactly where it does not, and how often each.
 class CollisionSource {

@@ -42,7 +42,7 @@ struct TurningEntry {
 /// How well a table does at points between its nodes.
 struct ObliqueQuality {
   double error_max = 0, error_rms = 0;  ///< of both numbers of ObliqueEntry
-  double turning_error_max = 0;         ///< of TurningEntry, over 1 + (1 + ψ)² + τ²
+  double turning_error_median = 0;      ///< of TurningEntry, over (1 + ψ)²; across a kink it jumps, so that the largest says little
   int samples = 0;
 
   bool operator==(const ObliqueQuality&) const = default;

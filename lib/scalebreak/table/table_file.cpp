@@ -5,10 +5,11 @@
 #include <iterator>
 
 #include <fmt/format.h>
-#include <boost/crc.hpp>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include <scalebreak/output/atomic_file.hpp>
+#include <scalebreak/table/npy.hpp>
 
 namespace scalebreak {
 namespace {
@@ -21,22 +22,15 @@ constexpr int format_version = 1;
 constexpr const char* fields[] = {"damping_ratio", "speed", "sticking_speed", "restitution", "contact_time", "max_overlap"};
 static_assert(sizeof(TableNode) == std::size(fields) * sizeof(double));
 
-/// The header of NumPy's format 1.0: magic, version, length, a Python literal padded to 64 bytes.
-std::string npy_header(const CollisionTable& table) {
-  std::string descr;
-  for (const char* field : fields) descr += fmt::format("('{}', '<f8'), ", field);
-  std::string dict = fmt::format("{{'descr': [{}], 'fortran_order': False, 'shape': ({}, {}), }}", descr.substr(0, descr.size() - 2),
-                                 table.damping_axis().count, table.speed_axis().count);
-  while ((10 + dict.size() + 1) % 64 != 0) dict += ' ';
-  dict += '\n';
-  std::string header("\x93NUMPY\x01\x00", 8);
-  header += static_cast<char>(dict.size() & 0xff);
-  header += static_cast<char>(dict.size() >> 8);
-  return header + dict;
+std::string header_of(const CollisionTable& table) {
+  std::vector<std::string> types;
+  for (const char* field : fields) types.push_back(fmt::format("('{}', '<f8')", field));
+  return npy_header(fmt::format("[{}]", fmt::join(types, ", ")),
+                    {static_cast<std::size_t>(table.damping_axis().count), static_cast<std::size_t>(table.speed_axis().count)});
 }
 
 std::string npy(const CollisionTable& table) {
-  std::string bytes = npy_header(table);
+  std::string bytes = header_of(table);
   const auto& nodes = table.nodes();
   bytes.append(reinterpret_cast<const char*>(nodes.data()), nodes.size() * sizeof(TableNode));
   return bytes;
@@ -45,10 +39,7 @@ std::string npy(const CollisionTable& table) {
 /// CRC-32 of the array file and of everything the JSON says.
 std::uint32_t checksum(const std::string& array, const json& body) {
   const std::string text = body.dump();
-  boost::crc_32_type crc;
-  crc.process_bytes(array.data(), array.size());
-  crc.process_bytes(text.data(), text.size());
-  return crc.checksum();
+  return crc32({array, text});
 }
 
 json axis_json(const Axis& axis) { return {{"first", axis.first}, {"step", axis.step}, {"count", axis.count}}; }
@@ -87,7 +78,7 @@ TableOnDisk parse(const std::string& text, const std::string& array, const Table
   std::vector<TableNode> nodes(count);
   std::memcpy(nodes.data(), array.data() + (array.size() - count * sizeof(TableNode)), count * sizeof(TableNode));
   CollisionTable table(key, damping, speed, std::move(nodes), std::move(curve), quality);
-  if (array.compare(0, array.size() - count * sizeof(TableNode), npy_header(table)) != 0) return {{}, "its array header does not fit"};
+  if (array.compare(0, array.size() - count * sizeof(TableNode), header_of(table)) != 0) return {{}, "its array header does not fit"};
   return {std::move(table), ""};
 }
 
