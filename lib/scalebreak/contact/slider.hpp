@@ -56,11 +56,11 @@ struct Slider {
   /// a dashpot back below it.
   [[nodiscard]] double end_of_grip(const SliderLaw& law, const Tangent<D>& speed, const Tangent<D>& acceleration, double dt) const {
     switch (grip) {
-      case Grip::holds: return limited(law, speed).norm() - law.limit * (1 + 1e-13);
+      case Grip::holds: return length(limited(law, speed)) - law.limit * (1 + 1e-13);
       case Grip::slides: return rest(law, speed, acceleration, dt);
       case Grip::skids: break;
     }
-    return law.limit - limited(law, speed).norm();
+    return law.limit - length(limited(law, speed));
   }
   /// Above zero where what slides begins to skid: its spring pushes forward, and would be driven further.
   [[nodiscard]] double begin_of_skid(const SliderLaw& law, const Tangent<D>& speed, const Tangent<D>& acceleration) const {
@@ -110,10 +110,18 @@ struct Slider {
     return law.stiffness > 0 ? spring(law, speed).squaredNorm() / (2 * law.stiffness) : 0.0;
   }
 
-  [[nodiscard]] Tangent<D> direction() const { return unit(history); }
+  [[nodiscard]] Tangent<D> direction() const {
+    if constexpr (D == 1) return history;
+    return unit(history);
+  }
 
  private:
+  [[nodiscard]] static double length(const Tangent<D>& v) {
+    if constexpr (D == 1) return std::abs(v[0]);
+    return v.norm();
+  }
   [[nodiscard]] static Tangent<D> unit(const Tangent<D>& v) {
+    if constexpr (D == 1) return Tangent<D>(v[0] > 0 ? 1.0 : v[0] < 0 ? -1.0 : 0.0);
     const double norm = v.norm();
     return norm > 0 ? Tangent<D>(v / norm) : Tangent<D>::Zero();
   }
