@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
+#include <Eigen/QR>
 
 #include <scalebreak/collisions/few_body_system.hpp>
 
@@ -124,12 +125,19 @@ void FewBodySystem::hold_rigid_rolling(const State& y) {
   }
   if (held.empty()) return;
   const auto size = static_cast<Eigen::Index>(3 * held.size());
+  // Unknown is each torque times what it does to its own pair, so that numbers of one size stand in the matrix.
   Eigen::MatrixXd effect = Eigen::MatrixXd::Zero(size, size);
   Eigen::VectorXd missing(size);
   const auto cross = [](const Vector3d& v) {
     Eigen::Matrix3d m;
     m << 0, -v[2], v[1], v[2], 0, -v[0], -v[1], v[0], 0;
     return m;
+  };
+  /// What a torque of `other` does to the relative spin of `link`.
+  const auto share = [&](const Link& link, const Link& other) {
+    const auto sign = [&](int body) { return body == other.first ? 1.0 : body == other.second ? -1.0 : 0.0; };
+    return laws_[other.pair].torque * (sign(link.first) / bodies_[static_cast<std::size_t>(link.first)].inertia -
+                                       sign(link.second) / bodies_[static_cast<std::size_t>(link.second)].inertia);
   };
   for (std::size_t a = 0; a < held.size(); ++a) {
     const Link& link = links_[held[a]];
@@ -141,19 +149,20 @@ void FewBodySystem::hold_rigid_rolling(const State& y) {
     effect.block<3, 3>(row, row) += n * n.transpose();
     for (std::size_t b = 0; b < held.size(); ++b) {
       const Link& other = links_[held[b]];
-      const auto sign = [&](int body) { return body == other.first ? 1.0 : body == other.second ? -1.0 : 0.0; };
-      const double share = laws_[other.pair].torque * (sign(link.first) / bodies_[i].inertia - sign(link.second) / bodies_[j].inertia);
-      if (share == 0) continue;
       // A torque T on `other` turns its first body by −n_b × T/I, and so changes u = ω × n by n × (n_b × T)/I.
       const Eigen::Matrix3d turn = cross(n) * cross(evaluated_[held[b]].at.normal);
-      effect.block<3, 3>(row, static_cast<Eigen::Index>(3 * b)) -= share * (turn - n * (n.transpose() * turn));
+      effect.block<3, 3>(row, static_cast<Eigen::Index>(3 * b)) -=
+          share(link, other) / share(other, other) * (turn - n * (n.transpose() * turn));
     }
   }
-  const Eigen::VectorXd torque = effect.partialPivLu().solve(missing);
+  // Around a closed loop of contacts the torques are statically indeterminate: of all that hold it the smallest act.
+  constexpr std::size_t smallest_loop = 3;
+  const Eigen::VectorXd torque = held.size() < smallest_loop ? Eigen::VectorXd(effect.partialPivLu().solve(missing))
+                                                             : Eigen::VectorXd(effect.completeOrthogonalDecomposition().solve(missing));
   for (std::size_t a = 0; a < held.size(); ++a) {
     const Link& link = links_[held[a]];
     Evaluated& e = evaluated_[held[a]];
-    e.torque = torque.segment<3>(static_cast<Eigen::Index>(3 * a));
+    e.torque = in_plane(torque.segment<3>(static_cast<Eigen::Index>(3 * a)), e.at.normal) / share(link, link);
     const double map = laws_[link.pair].torque;
     const Vector3d turn = e.at.normal.cross(e.torque);
     const auto i = static_cast<std::size_t>(link.first), j = static_cast<std::size_t>(link.second);
@@ -222,6 +231,19 @@ void FewBodySystem::evaluate(const State& y) {
   for (std::size_t c = 0; c < links_.size(); ++c) finish_rates(y, links_[c], link_at(c), evaluated_[c]);
 }
 
+/// How the direction of a rolling under a rigid law turns, per unit of the integrator's time. A deviation ε from the rolling's own
+/// direction would grow, u ε' = c ε with the torque's deceleration c, as the rolling u stops: it is drawn back twice as fast.
+Eigen::Vector3d FewBodySystem::rigid_turning(const Link& link, const Evaluated& e) const {
+  const MappedLaws& mapped = laws_[link.pair];
+  const Vector3d along = e.roll.direction();
+  const double speed = along.dot(e.roll_speed), floor = rolling_floor * scales_[link.pair].roll;
+  const double inverse_inertia =
+      1 / bodies_[static_cast<std::size_t>(link.first)].inertia + 1 / bodies_[static_cast<std::size_t>(link.second)].inertia;
+  const double deceleration = time_rate_ * mapped.spin * mapped.torque * e.roll_law.limit * inverse_inertia;
+  const auto across = [&](const Vector3d& v) { return Vector3d(v - along * along.dot(v)); };
+  return (across(e.roll_acceleration) * speed + 2 * deceleration * across(e.roll_speed)) / (speed * speed + floor * floor);
+}
+
 void FewBodySystem::operator()(const State& y, State& rate, double) {
   evaluate(y);
   std::fill(rate.begin(), rate.end(), 0.0);
@@ -258,9 +280,7 @@ void FewBodySystem::operator()(const State& y, State& rate, double) {
         if (!mapped.laws.rolling.rigid()) {
           own = e.roll.rate(e.roll_law, e.roll_speed, e.roll_acceleration, original_time);
         } else if (link.roll == Grip::slides) {  // its history is the direction of the rolling itself
-          const Vector3d along = e.roll.direction();
-          const double speed = along.dot(e.roll_speed), floor = rolling_floor * scales_[link.pair].roll;
-          own = (e.roll_acceleration - along * along.dot(e.roll_acceleration)) * speed / (speed * speed + floor * floor);
+          own = rigid_turning(link, e);
         }
         put(rate, base + roll, turned(own, e.roll.history));
         rate[base + rolling_work] = time_rate_ * mapped.torque / mapped.spin * e.torque.dot(e.roll_speed);

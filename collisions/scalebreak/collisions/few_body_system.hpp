@@ -131,6 +131,7 @@ class FewBodySystem {
   void add_forces(const Link& link, const Evaluated& e);
   void hold_rigid_rolling(const State& y);
   void finish_rates(const State& y, const Link& link, std::size_t at, Evaluated& e) const;
+  [[nodiscard]] Eigen::Vector3d rigid_turning(const Link& link, const Evaluated& e) const;
   [[nodiscard]] double roll_event(const Link& link, const Evaluated& e) const;
 
   void touch(State& y, std::size_t i, std::size_t j, std::vector<Change>& changes);
