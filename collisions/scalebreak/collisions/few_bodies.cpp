@@ -83,9 +83,9 @@ class Motion {
       const auto changes = system_.apply(static_cast<std::size_t>(event), state_);
       note(changes);
       if (++events_ > event_cap(options_)) {
-        throw WorkError(
-            fmt::format("the motion has not ended after {} events of its contacts; give {}", events_ - 1,
-                        options_.duration > 0 ? "a shorter run.duration" : "a run.duration, to a [pair] as two [[body]] tables"));
+        throw WorkError(fmt::format(
+            "the motion has not ended after {} events of its contacts; give {}", events_ - 1,
+            options_.duration > 0 ? "a shorter run.duration" : "its [[body]] scene a run.duration (a [pair] can be written as one)"));
       }
       // What has come to rest to rounding may have no other end.
       if (at_rest() || (changes.empty() && settled())) return outcome_.resting = true;

@@ -14,8 +14,9 @@ namespace {
 using Eigen::Vector3d;
 
 /// Of a rolling that begins or ends the direction turns ever faster, to no effect: below this share of the rolling speed of the scene
-/// it is let be.
-constexpr double rolling_floor = 1e-9;
+/// it is let be. What is left across it when the rolling stops is held at once, as the torque would have: its energy is the square
+/// of this.
+constexpr double rolling_floor = 1e-7;
 
 Vector3d in_plane(const Vector3d& v, const Vector3d& normal) { return v - normal * normal.dot(v); }
 
@@ -25,7 +26,8 @@ Vector3d in_plane(const Vector3d& v, const Vector3d& normal) { return v - normal
 void FewBodySystem::hold_rigid_rolling(const State& y) {
   std::vector<std::size_t> held;
   for (std::size_t c = 0; c < links_.size(); ++c) {
-    if (links_[c].touching && laws_[links_[c].pair].laws.rolling.rigid() && links_[c].roll == Grip::holds) held.push_back(c);
+    const Rolling& rolling = laws_[links_[c].pair].laws.rolling;
+    if (links_[c].touching && rolling.acts() && rolling.rigid() && links_[c].roll == Grip::holds) held.push_back(c);
   }
   if (held.empty()) return;
   const auto size = static_cast<Eigen::Index>(3 * held.size());
