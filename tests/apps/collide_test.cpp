@@ -330,8 +330,9 @@ fixed = true
   const ProgramRun endless = run({"collide", file, "--json", "--out", out});
   EXPECT_EQ(endless.status, 1);
   EXPECT_THAT(endless.out, IsEmpty());
-  EXPECT_EQ(endless.err,
-            "scalebreak: the motion has not ended after 50000 events of its contacts; give its [[body]] scene a run.duration\n");
+  EXPECT_EQ(
+      endless.err,
+      "scalebreak: the motion has not ended after 50000 events of its contacts; give its [[body]] scene a run.duration (a [pair] can be written as one)\n");
   EXPECT_FALSE(fs::exists(out));
   const ProgramRun ended = run({"collide", file, "--json", "--set", "run.duration=1e-3"});
   EXPECT_EQ(ended.status, 0) << ended.err;

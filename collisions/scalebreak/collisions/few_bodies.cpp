@@ -14,12 +14,29 @@
 namespace scalebreak {
 namespace {
 
+/// Kinetic energy about the common centre of mass; where a body is held, all of it.
+double inner_kinetic_energy(const std::vector<MovingBody>& bodies) {
+  Eigen::Vector3d drift = Eigen::Vector3d::Zero();
+  double mass = 0;
+  for (const MovingBody& body : bodies) {
+    if (!std::isfinite(body.mass)) return kinetic_energy(bodies);
+    mass += body.mass;
+    drift += (body.velocity - drift) * (body.mass / mass);
+  }
+  double sum = 0;
+  for (const MovingBody& body : bodies) {
+    sum += body.mass * (body.velocity - drift).squaredNorm() / 2 + body.inertia * body.spin.squaredNorm() / 2;
+  }
+  return sum;
+}
+
 /// Follows a system through its links' lives and keeps count.
 class Motion {
  public:
   Motion(std::vector<MovingBody> bodies, const std::function<MappedLaws(int, int)>& laws, const MotionOptions& options)
       : options_(options), system_(std::move(bodies), laws, options.duration), state_(system_.start()) {
     outcome_.before = system_.account(state_);
+    first_kinetic_ = inner_kinetic_energy(system_.bodies(state_));
   }
 
   MotionOutcome run() {
@@ -66,8 +83,9 @@ class Motion {
       const auto changes = system_.apply(static_cast<std::size_t>(event), state_);
       note(changes);
       if (++events_ > event_cap(options_)) {
-        throw WorkError(fmt::format("the motion has not ended after {} events of its contacts; give {}", events_ - 1,
-                                    options_.duration > 0 ? "a shorter run.duration" : "its [[body]] scene a run.duration"));
+        throw WorkError(fmt::format(
+            "the motion has not ended after {} events of its contacts; give {}", events_ - 1,
+            options_.duration > 0 ? "a shorter run.duration" : "its [[body]] scene a run.duration (a [pair] can be written as one)"));
       }
       // What has come to rest to rounding may have no other end.
       if (at_rest() || (changes.empty() && settled())) return outcome_.resting = true;
@@ -90,13 +108,24 @@ class Motion {
   /// hardly does where several contacts begin at once.
   bool settled() {
     if (options_.duration > 0) return false;
-    const double moving = kinetic_energy(system_.bodies(state_)), time = system_.time(state_);
-    if (std::abs(moving - last_kinetic_) >= 1e-15 * moving + 1e-18 * outcome_.before.kinetic) still_ = 0, still_since_ = time;
+    const double moving = inner_kinetic_energy(system_.bodies(state_)), time = system_.time(state_);
+    if (std::abs(moving - last_kinetic_) >= 1e-15 * moving + 1e-18 * first_kinetic_) still_ = 0, still_since_ = time;
     last_kinetic_ = moving;
     return ++still_ > settled_steps && time - still_since_ > system_.time_unit();
   }
 
+  /// Beyond the smaller radius the centres are about to pass each other, and no contact law means anything.
+  void refuse_deep_overlap() const {
+    const FewBodySystem::Deepest deepest = system_.deepest(state_);
+    if (!(deepest.overlap > deepest.radius)) return;
+    throw WorkError(
+        fmt::format("bodies {} and {} overlap by {:g} m, more than the smaller radius of {:g} m, where no contact law holds; "
+                    "give a stiffer material, less softening or slower bodies",
+                    deepest.first + 1, deepest.second + 1, deepest.overlap, deepest.radius));
+  }
+
   void track() {
+    refuse_deep_overlap();
     outcome_.max_overlap = std::max(outcome_.max_overlap, system_.largest_overlap(state_));
     outcome_.max_depth = std::max(outcome_.max_depth, system_.largest_depth(state_));
     outcome_.max_force = std::max(outcome_.max_force, system_.largest_force(state_));
@@ -137,7 +166,7 @@ class Motion {
   FewBodySystem::State state_;
   MotionOutcome outcome_;
   double next_step_ = 0.02;
-  double last_kinetic_ = -1, still_since_ = 0;
+  double first_kinetic_ = 0, last_kinetic_ = -1, still_since_ = 0;
   int still_ = 0, events_ = 0;
 };
 

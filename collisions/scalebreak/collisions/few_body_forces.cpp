@@ -1,11 +1,10 @@
 #include <cmath>
 
 #include <Eigen/Geometry>
-#include <Eigen/LU>
 
 #include <scalebreak/collisions/few_body_system.hpp>
 
-// What acts between the bodies at one state, and the rates that follow from it.
+// What acts between the bodies at one state.
 
 namespace scalebreak {
 namespace {
@@ -15,17 +14,6 @@ using Eigen::Vector3d;
 /// Where the limit of a slider falls to zero its direction turns ever faster, to no effect: below this share of the limit's
 /// size in the scene it is let be, which costs an impulse of the square of this.
 constexpr double direction_floor = 1e-6;
-
-/// The same of the direction of a rolling that begins or ends, as a share of the rolling speed of the scene.
-constexpr double rolling_floor = 1e-9;
-
-Vector3d at(const FewBodySystem::State& y, std::size_t i) { return {y[i], y[i + 1], y[i + 2]}; }
-
-void put(FewBodySystem::State& y, std::size_t i, const Vector3d& v) {
-  y[i] = v[0];
-  y[i + 1] = v[1];
-  y[i + 2] = v[2];
-}
 
 Vector3d in_plane(const Vector3d& v, const Vector3d& normal) { return v - normal * normal.dot(v); }
 
@@ -116,52 +104,6 @@ void FewBodySystem::add_forces(const Link& link, const Evaluated& e) {
   spin_rate_[j] -= mapped.torque / bodies_[j].inertia * e.at.normal.cross(e.arm[1] * along - e.torque);
 }
 
-/// Rolling that a rigid law holds: the torques under which every such pair keeps its rolling speed of zero.
-void FewBodySystem::hold_rigid_rolling(const State& y) {
-  std::vector<std::size_t> held;
-  for (std::size_t c = 0; c < links_.size(); ++c) {
-    if (links_[c].touching && laws_[links_[c].pair].laws.rolling.rigid() && links_[c].roll == Grip::holds) held.push_back(c);
-  }
-  if (held.empty()) return;
-  const auto size = static_cast<Eigen::Index>(3 * held.size());
-  Eigen::MatrixXd effect = Eigen::MatrixXd::Zero(size, size);
-  Eigen::VectorXd missing(size);
-  const auto cross = [](const Vector3d& v) {
-    Eigen::Matrix3d m;
-    m << 0, -v[2], v[1], v[2], 0, -v[0], -v[1], v[0], 0;
-    return m;
-  };
-  for (std::size_t a = 0; a < held.size(); ++a) {
-    const Link& link = links_[held[a]];
-    const Vector3d& n = evaluated_[held[a]].at.normal;
-    const auto i = static_cast<std::size_t>(link.first), j = static_cast<std::size_t>(link.second);
-    const Vector3d spin = at(y, body_at(i) + 6) - at(y, body_at(j) + 6);
-    const auto row = static_cast<Eigen::Index>(3 * a);
-    missing.segment<3>(row) = in_plane((spin_rate_[i] - spin_rate_[j]).cross(n) + spin.cross(evaluated_[held[a]].normal_rate), n);
-    effect.block<3, 3>(row, row) += n * n.transpose();
-    for (std::size_t b = 0; b < held.size(); ++b) {
-      const Link& other = links_[held[b]];
-      const auto sign = [&](int body) { return body == other.first ? 1.0 : body == other.second ? -1.0 : 0.0; };
-      const double share = laws_[other.pair].torque * (sign(link.first) / bodies_[i].inertia - sign(link.second) / bodies_[j].inertia);
-      if (share == 0) continue;
-      // A torque T on `other` turns its first body by −n_b × T/I, and so changes u = ω × n by n × (n_b × T)/I.
-      const Eigen::Matrix3d turn = cross(n) * cross(evaluated_[held[b]].at.normal);
-      effect.block<3, 3>(row, static_cast<Eigen::Index>(3 * b)) -= share * (turn - n * (n.transpose() * turn));
-    }
-  }
-  const Eigen::VectorXd torque = effect.partialPivLu().solve(missing);
-  for (std::size_t a = 0; a < held.size(); ++a) {
-    const Link& link = links_[held[a]];
-    Evaluated& e = evaluated_[held[a]];
-    e.torque = torque.segment<3>(static_cast<Eigen::Index>(3 * a));
-    const double map = laws_[link.pair].torque;
-    const Vector3d turn = e.at.normal.cross(e.torque);
-    const auto i = static_cast<std::size_t>(link.first), j = static_cast<std::size_t>(link.second);
-    spin_rate_[i] -= map / bodies_[i].inertia * turn;
-    spin_rate_[j] += map / bodies_[j].inertia * turn;
-  }
-}
-
 /// The rates of the contact's own variables, once the bodies' accelerations are known.
 void FewBodySystem::finish_rates(const State& y, const Link& link, std::size_t, Evaluated& e) const {
   const MappedLaws& mapped = laws_[link.pair];
@@ -220,115 +162,6 @@ void FewBodySystem::evaluate(const State& y) {
   }
   hold_rigid_rolling(y);
   for (std::size_t c = 0; c < links_.size(); ++c) finish_rates(y, links_[c], link_at(c), evaluated_[c]);
-}
-
-void FewBodySystem::operator()(const State& y, State& rate, double) {
-  evaluate(y);
-  std::fill(rate.begin(), rate.end(), 0.0);
-  for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    put(rate, body_at(b), time_rate_ * at(y, body_at(b) + 3));
-    put(rate, body_at(b) + 3, time_rate_ * acceleration_[b]);
-    put(rate, body_at(b) + 6, time_rate_ * spin_rate_[b]);
-  }
-  for (std::size_t c = 0; c < links_.size(); ++c) {
-    const Link& link = links_[c];
-    const Evaluated& e = evaluated_[c];
-    const MappedLaws& mapped = laws_[link.pair];
-    const std::size_t base = link_at(c);
-    const double original_time = time_rate_ * mapped.length;
-    if (link.touching) {
-      const double carried = time_unit_ * e.others * e.shrink * e.approach * mapped.length;
-      rate[base + root] = link.rooted ? carried : 0.0;
-      rate[base + coordinate] = link.rooted ? original_time * e.approach / e.normal.coordinate_slope : carried;
-      rate[base + damping_work] = time_rate_ * mapped.force * e.normal.damping * e.approach * e.approach;
-      // A history turns with the contact plane.
-      const auto turned = [&](const Vector3d& own, const Vector3d& history) {
-        return Vector3d(own - e.at.normal * (time_rate_ * history.dot(e.normal_rate)));
-      };
-      const auto power = [&](const Vector3d& force) {
-        return mapped.force * force.dot(e.centres) +
-               mapped.torque / mapped.spin * (e.arm[0] * force.dot(e.turning[0]) + e.arm[1] * force.dot(e.turning[1]));
-      };
-      if (mapped.laws.tangential.acts()) {
-        put(rate, base + slide, turned(e.slide.rate(e.slide_law, e.slide_speed, e.slide_acceleration, original_time), e.slide.history));
-        rate[base + tangential_work] = time_rate_ * power(e.friction);
-      }
-      if (mapped.laws.rolling.acts()) {
-        Vector3d own = Vector3d::Zero();
-        if (!mapped.laws.rolling.rigid()) {
-          own = e.roll.rate(e.roll_law, e.roll_speed, e.roll_acceleration, original_time);
-        } else if (link.roll == Grip::slides) {  // its history is the direction of the rolling itself
-          const Vector3d along = e.roll.direction();
-          const double speed = along.dot(e.roll_speed), floor = rolling_floor * scales_[link.pair].roll;
-          own = (e.roll_acceleration - along * along.dot(e.roll_acceleration)) * speed / (speed * speed + floor * floor);
-        }
-        put(rate, base + roll, turned(own, e.roll.history));
-        rate[base + rolling_work] = time_rate_ * mapped.torque / mapped.spin * e.torque.dot(e.roll_speed);
-      }
-    }
-    if (mapped.laws.liquid.acts() && (link.touching || link.bridged)) {
-      const double turning = e.arm[0] * e.wet.dot(e.turning[0]) + e.arm[1] * e.wet.dot(e.turning[1]);
-      rate[base + liquid_work] = time_rate_ * (mapped.force * ((e.drag * e.approach - e.capillary) * e.approach + e.wet.dot(e.centres)) +
-                                               mapped.torque / mapped.spin * turning);
-    }
-  }
-  rate.back() = time_rate_;
-}
-
-double FewBodySystem::roll_event(const Link& link, const Evaluated& e) const {
-  const Rolling& rolling = laws_[link.pair].laws.rolling;
-  if (!rolling.acts()) return -1;
-  if (rolling.rigid()) {
-    // A little past zero: what has just been let go starts there.
-    return link.roll == Grip::slides ? -1e-13 * scales_[link.pair].roll - e.roll.direction().dot(e.roll_speed)
-                                     : e.torque.norm() - e.roll_law.limit * (1 + 1e-13);
-  }
-  return e.roll.end_of_grip(e.roll_law, e.roll_speed, e.roll_acceleration, time_rate_ * laws_[link.pair].length);
-}
-
-void FewBodySystem::event_values(const State& y, Values& values) {
-  constexpr auto kinds = static_cast<std::size_t>(LinkEvent::count);
-  values.assign(kinds * links_.size() + laws_.size() + 1, -1.0);
-  if (!links_.empty()) evaluate(y);
-  for (std::size_t c = 0; c < links_.size(); ++c) {
-    const Link& link = links_[c];
-    const Evaluated& e = evaluated_[c];
-    const ContactLaws& laws = laws_[link.pair].laws;
-    const PairScales& scales = scales_[link.pair];
-    const auto set = [&](LinkEvent event, double value) { values[kinds * c + static_cast<std::size_t>(event)] = value; };
-    if (link.touching) {
-      const double touch = std::visit([](const auto& law) { return law.touch(); }, laws.normal);
-      const double end = std::visit([](const auto& law) { return law.separation(); }, laws.normal);
-      set(LinkEvent::phase_end,
-          link.rooted ? end_share - e.root / scales.root : (end - e.coordinate) / scales.coordinate + (flat_touch(laws) ? end_share : 0.0));
-      if (!link.rooted && laws.needs_overlap_root()) set(LinkEvent::phase_begin, (e.coordinate - touch) / scales.coordinate);
-      if (laws.tangential.acts()) {
-        set(LinkEvent::slide, e.slide.end_of_grip(e.slide_law, e.slide_speed, e.slide_acceleration, time_rate_ * laws_[link.pair].length));
-        set(LinkEvent::skid, e.slide.begin_of_skid(e.slide_law, e.slide_speed, e.slide_acceleration));
-      }
-      set(LinkEvent::roll, roll_event(link, e));
-      if (laws.uses_load()) set(LinkEvent::load_sign, -e.point.load);
-      // What has come to rest turns to and fro by rounding alone.
-      set(LinkEvent::turn, (link.outgoing ? e.approach : -e.approach) - 1e-13 * speed_unit_);
-    }
-    if (laws.liquid.acts() && (link.touching || link.bridged)) {
-      const double beyond = e.separation - laws.liquid.separation_min;
-      set(LinkEvent::near, link.near ? beyond : -beyond);
-      const double branch = e.separation - laws.liquid.rolling_branch();
-      if (laws.liquid.viscous && !link.near) set(LinkEvent::branch, link.second_branch ? -branch : branch);
-      if (!link.touching) set(LinkEvent::phase_end, e.separation - laws.liquid.rupture);
-    }
-  }
-  for (std::size_t i = 0, pair = 0; i < bodies_.size(); ++i) {
-    for (std::size_t j = i + 1; j < bodies_.size(); ++j, ++pair) {
-      const int link = link_of_[pair];
-      if ((link >= 0 && links_[static_cast<std::size_t>(link)].touching) || bodies_[i].plane) continue;
-      if (!std::isfinite(bodies_[i].mass) && !std::isfinite(bodies_[j].mass)) continue;
-      const Geometry g = geometry(y, i, j);
-      values[kinds * links_.size() + pair] = std::min(-g.gap / length_unit_, g.velocity.dot(g.normal) / speed_unit_);
-    }
-  }
-  if (duration_ > 0) values.back() = (y.back() - duration_) / time_unit_;
 }
 
 }  // namespace scalebreak

@@ -1,4 +1,7 @@
+#include <algorithm>
 #include <cmath>
+
+#include <Eigen/Geometry>
 
 #include <scalebreak/collisions/few_body_system.hpp>
 
@@ -30,6 +33,18 @@ double FewBodySystem::largest_depth(const State& y) const {
     largest = std::max(largest, scaled_overlap(y, c) * curvature);
   }
   return largest;
+}
+
+FewBodySystem::Deepest FewBodySystem::deepest(const State& y) const {
+  Deepest deepest;
+  for (std::size_t c = 0; c < links_.size(); ++c) {
+    if (!links_[c].touching) continue;
+    const MovingBody& first = bodies_[static_cast<std::size_t>(links_[c].first)];
+    const MovingBody& second = bodies_[static_cast<std::size_t>(links_[c].second)];
+    const double overlap = scaled_overlap(y, c), radius = second.plane ? first.radius : std::min(first.radius, second.radius);
+    if (overlap * deepest.radius > deepest.overlap * radius) deepest = {links_[c].first, links_[c].second, overlap, radius};
+  }
+  return deepest;
 }
 
 double FewBodySystem::largest_force(const State& y) {
@@ -69,6 +84,34 @@ std::vector<ContactState> FewBodySystem::contacts(const State& y) {
     states.push_back(state);
   }
   return states;
+}
+
+EnergyAccount FewBodySystem::account(const State& y) {
+  EnergyAccount sum = spent_;
+  sum.kinetic = kinetic_energy(bodies(y));
+  if (!links_.empty()) evaluate(y);
+  for (std::size_t c = 0; c < links_.size(); ++c) {
+    const MappedLaws& mapped = laws_[links_[c].pair];
+    const Evaluated& e = evaluated_[c];
+    const std::size_t base = link_at(c);
+    const double map = mapped.force / mapped.length;
+    sum.damping += y[base + damping_work];
+    sum.friction += y[base + tangential_work];
+    sum.rolling += y[base + rolling_work];
+    sum.liquid += y[base + liquid_work];
+    if (!links_[c].touching) continue;
+    sum.elastic += map * std::visit([&](const auto& law) { return law.energy(e.coordinate); }, mapped.laws.normal);
+    if (!mapped.laws.tangential.acts()) continue;
+    const double spring = map * e.slide.energy(e.slide_law, e.slide_speed);
+    sum.elastic += spring;
+    sum.friction -= spring;
+  }
+  return sum;
+}
+
+double FewBodySystem::turned(const State& y, const Link& link) const {
+  const Eigen::Vector3d n = geometry(y, static_cast<std::size_t>(link.first), static_cast<std::size_t>(link.second)).normal;
+  return std::atan2(link.normal_at_touch.cross(n).norm(), link.normal_at_touch.dot(n));
 }
 
 }  // namespace scalebreak

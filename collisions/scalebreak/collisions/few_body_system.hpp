@@ -63,6 +63,12 @@ class FewBodySystem {
   [[nodiscard]] const std::vector<Link>& links() const { return links_; }
   [[nodiscard]] double largest_overlap(const State& y) const;
   [[nodiscard]] double largest_depth(const State& y) const;  ///< overlap over R*
+  /// The contact with the largest overlap over the smaller radius of its bodies.
+  struct Deepest {
+    int first = 0, second = 0;
+    double overlap = 0, radius = 1;
+  };
+  [[nodiscard]] Deepest deepest(const State& y) const;
   [[nodiscard]] double largest_force(const State& y);
   [[nodiscard]] std::vector<ContactState> contacts(const State& y);
   [[nodiscard]] double turned(const State& y, const Link& link) const;
@@ -88,6 +94,10 @@ class FewBodySystem {
     block_size
   };
 
+  [[nodiscard]] static Eigen::Vector3d at(const State& y, std::size_t i) { return {y[i], y[i + 1], y[i + 2]}; }
+  static void put(State& y, std::size_t i, const Eigen::Vector3d& v) {
+    for (Eigen::Index k = 0; k < 3; ++k) y[i + static_cast<std::size_t>(k)] = v[k];
+  }
   [[nodiscard]] std::size_t body_at(std::size_t body) const { return 9 * body; }
   [[nodiscard]] std::size_t link_at(std::size_t link) const { return 9 * bodies_.size() + block_size * link; }
   [[nodiscard]] std::size_t pair_index(std::size_t i, std::size_t j) const;
@@ -131,6 +141,7 @@ class FewBodySystem {
   void add_forces(const Link& link, const Evaluated& e);
   void hold_rigid_rolling(const State& y);
   void finish_rates(const State& y, const Link& link, std::size_t at, Evaluated& e) const;
+  [[nodiscard]] Eigen::Vector3d rigid_turning(const Link& link, const Evaluated& e) const;
   [[nodiscard]] double roll_event(const Link& link, const Evaluated& e) const;
 
   void touch(State& y, std::size_t i, std::size_t j, std::vector<Change>& changes);

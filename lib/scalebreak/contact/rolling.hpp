@@ -45,7 +45,7 @@ struct Rolling {
     return law;
   }
 
-  [[nodiscard]] bool acts() const { return model != RollingModel::none; }
+  [[nodiscard]] bool acts() const { return model != RollingModel::none && limit > 0; }
   /// Without a spring the torque at zero spin is whatever balances the rest, up to the limit.
   [[nodiscard]] bool rigid() const { return model == RollingModel::cdt; }
   /// Does its spring vanish with the overlap?

@@ -31,7 +31,7 @@ struct Tangential {
     return law;
   }
 
-  [[nodiscard]] bool acts() const { return model != TangentialModel::none; }
+  [[nodiscard]] bool acts() const { return model != TangentialModel::none && friction > 0; }
 
   /// Spring, dashpot and limit at a point of the contact; `rate` holds the point's rates of change.
   [[nodiscard]] SliderLaw at(const ContactPoint& point, const ContactPoint& rate) const {
