@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include <scalebreak/collisions/collision_report.hpp>
-#include <scalebreak/collisions/scene_collision.hpp>
+#include <scalebreak/collisions/bodies/collision_report.hpp>
+#include <scalebreak/collisions/bodies/scene_collision.hpp>
 
 #include "command.hpp"
 

@@ -10,7 +10,7 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include <scalebreak/collisions/table_store.hpp>
+#include <scalebreak/collisions/tables/table_store.hpp>
 #include <scalebreak/scene/input.hpp>
 
 namespace scalebreak::apps {

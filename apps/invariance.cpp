@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <scalebreak/base/error.hpp>
-#include <scalebreak/collisions/invariance_files.hpp>
-#include <scalebreak/collisions/invariance_report.hpp>
-#include <scalebreak/collisions/invariance_words.hpp>
+#include <scalebreak/collisions/invariance/invariance_files.hpp>
+#include <scalebreak/collisions/invariance/invariance_report.hpp>
+#include <scalebreak/collisions/invariance/invariance_words.hpp>
 #include <scalebreak/output/atomic_file.hpp>
 
 #include "command.hpp"

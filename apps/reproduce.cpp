@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <scalebreak/base/error.hpp>
-#include <scalebreak/collisions/paper_case.hpp>
+#include <scalebreak/collisions/papers/paper_case.hpp>
 
 #include "command.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <scalebreak/collisions/oblique_table_builder.hpp>
+#include <scalebreak/collisions/tables/oblique_table_builder.hpp>
 #include <scalebreak/contact/damping.hpp>
 #include <scalebreak/output/atomic_file.hpp>
 #include <scalebreak/output/csv.hpp>

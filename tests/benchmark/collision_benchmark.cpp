@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include <scalebreak/collisions/normal_collision.hpp>
-#include <scalebreak/collisions/table_builder.hpp>
+#include <scalebreak/collisions/normal/normal_collision.hpp>
+#include <scalebreak/collisions/tables/table_builder.hpp>
 #include <scalebreak/contact/damping.hpp>
 #include <scalebreak/contact/reduced.hpp>
 

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <scalebreak/collisions/normal_collision.hpp>
+#include <scalebreak/collisions/normal/normal_collision.hpp>
 #include <scalebreak/contact/damping.hpp>
 #include <scalebreak/output/atomic_file.hpp>
 #include <scalebreak/output/csv.hpp>

@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include <collisions/naive_stepper.hpp>
-#include <scalebreak/collisions/moving_scene.hpp>
-#include <scalebreak/collisions/oblique_collision.hpp>
-#include <scalebreak/collisions/oblique_table_builder.hpp>
+#include <scalebreak/collisions/bodies/moving_scene.hpp>
+#include <scalebreak/collisions/oblique/oblique_collision.hpp>
+#include <scalebreak/collisions/tables/oblique_table_builder.hpp>
 
 // Cost of one oblique collision: by the planar engine, by the engine of a few bodies, by table, and the naive way. Two glass
 // spheres of 1 mm at 0.1 m/s; the impact slides, sticks and slides again.

@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <scalebreak/base/error.hpp>
-#include <scalebreak/collisions/normal_collision.hpp>
-#include <scalebreak/collisions/table_builder.hpp>
+#include <scalebreak/collisions/normal/normal_collision.hpp>
+#include <scalebreak/collisions/tables/table_builder.hpp>
 #include <scalebreak/contact/damping.hpp>
 
 #include "collisions/kinds.hpp"

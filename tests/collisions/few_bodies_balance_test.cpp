@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <collisions/scenes.hpp>
-#include <scalebreak/collisions/few_bodies.hpp>
+#include <scalebreak/collisions/bodies/few_bodies.hpp>
 
 // What no law may change, of two bodies on a skew course, under every combination of laws that an input may ask for:
 // momentum, the sum of the energies, and angular momentum where the torque arm is the distance to the contact point.

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <collisions/scenes.hpp>
-#include <scalebreak/collisions/few_bodies.hpp>
+#include <scalebreak/collisions/bodies/few_bodies.hpp>
 
 // More than two bodies: many contacts at once, bodies that do not give way, bridges that form and rupture, and the end.
 

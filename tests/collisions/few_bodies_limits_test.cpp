@@ -6,7 +6,7 @@
 
 #include <collisions/scenes.hpp>
 #include <scalebreak/base/error.hpp>
-#include <scalebreak/collisions/few_bodies.hpp>
+#include <scalebreak/collisions/bodies/few_bodies.hpp>
 
 // The ends of what a motion may be asked: laws without friction, rolling that a rigid law stops, closed loops that it holds,
 // overlaps as large as the bodies, and rest in a moving frame.

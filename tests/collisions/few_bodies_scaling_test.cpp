@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <collisions/scenes.hpp>
-#include <scalebreak/collisions/few_bodies.hpp>
+#include <scalebreak/collisions/bodies/few_bodies.hpp>
 
 // Oblique collisions under scaling laws against the original's, and the closed form of a linear contact.
 

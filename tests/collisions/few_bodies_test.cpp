@@ -6,8 +6,8 @@
 
 #include <collisions/kinds.hpp>
 #include <collisions/scenes.hpp>
-#include <scalebreak/collisions/few_bodies.hpp>
-#include <scalebreak/collisions/pair_collision.hpp>
+#include <scalebreak/collisions/bodies/few_bodies.hpp>
+#include <scalebreak/collisions/normal/pair_collision.hpp>
 
 // The engine of a few bodies against the engine of one normal contact, and against itself: turned, carried along, renamed,
 // and at other tolerances.

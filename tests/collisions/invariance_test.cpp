@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include <scalebreak/collisions/invariance.hpp>
-#include <scalebreak/collisions/invariance_words.hpp>
+#include <scalebreak/collisions/invariance/invariance.hpp>
+#include <scalebreak/collisions/invariance/invariance_words.hpp>
 
 namespace scalebreak {
 namespace {

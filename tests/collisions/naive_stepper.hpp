@@ -5,7 +5,7 @@
 
 #include <Eigen/Geometry>
 
-#include <scalebreak/collisions/few_bodies.hpp>
+#include <scalebreak/collisions/bodies/few_bodies.hpp>
 
 namespace scalebreak::tests {
 

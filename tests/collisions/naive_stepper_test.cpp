@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <collisions/scenes.hpp>
-#include <scalebreak/collisions/few_bodies.hpp>
+#include <scalebreak/collisions/bodies/few_bodies.hpp>
 
 // A second method: the plain stepper of springs that are set back to their limits comes to the exact engine's answer as its
 // step shrinks.

@@ -6,10 +6,10 @@
 
 #include <gtest/gtest.h>
 
-#include <scalebreak/collisions/normal_collision.hpp>
-#include <scalebreak/collisions/oblique_table_builder.hpp>
-#include <scalebreak/collisions/patch_builder.hpp>
-#include <scalebreak/collisions/table_store.hpp>
+#include <scalebreak/collisions/normal/normal_collision.hpp>
+#include <scalebreak/collisions/tables/oblique_table_builder.hpp>
+#include <scalebreak/collisions/tables/patch_builder.hpp>
+#include <scalebreak/collisions/tables/table_store.hpp>
 #include <scalebreak/contact/reduced.hpp>
 #include <scalebreak/table/oblique_table_file.hpp>
 

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include <scalebreak/collisions/pair_collision.hpp>
+#include <scalebreak/collisions/normal/pair_collision.hpp>
 
 namespace scalebreak {
 namespace {

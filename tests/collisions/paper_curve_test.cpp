@@ -1,6 +1,6 @@
 #include <gmock/gmock.h>
 
-#include <scalebreak/collisions/paper_curve.hpp>
+#include <scalebreak/collisions/papers/paper_curve.hpp>
 
 namespace scalebreak::tests {
 namespace {

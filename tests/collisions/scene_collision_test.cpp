@@ -3,10 +3,10 @@
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>
 
-#include <scalebreak/collisions/motion_record.hpp>
-#include <scalebreak/collisions/moving_scene.hpp>
-#include <scalebreak/collisions/pair_collision.hpp>
-#include <scalebreak/collisions/scene_collision.hpp>
+#include <scalebreak/collisions/bodies/motion_record.hpp>
+#include <scalebreak/collisions/bodies/moving_scene.hpp>
+#include <scalebreak/collisions/bodies/scene_collision.hpp>
+#include <scalebreak/collisions/normal/pair_collision.hpp>
 
 namespace scalebreak {
 namespace {

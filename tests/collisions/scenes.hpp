@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include <lib/resolving.hpp>
-#include <scalebreak/collisions/moving_scene.hpp>
+#include <scalebreak/collisions/bodies/moving_scene.hpp>
 
 namespace scalebreak::tests {
 

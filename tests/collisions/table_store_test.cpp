@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include <scalebreak/collisions/table_builder.hpp>
-#include <scalebreak/collisions/table_store.hpp>
+#include <scalebreak/collisions/tables/table_builder.hpp>
+#include <scalebreak/collisions/tables/table_store.hpp>
 #include <scalebreak/contact/damping.hpp>
 #include <scalebreak/table/table_file.hpp>
 

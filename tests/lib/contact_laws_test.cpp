@@ -139,7 +139,8 @@ TEST(ReducedVariables, UnitImpactHasTheReducedSpeedItIsAskedFor) {
 TEST(ContactKind, IsOneNameForOnePhysics) {
   const ContactKind jkr_kind{NormalModel::jkr, AdhesionRange::pull_off, DampingOn::overlap};
   EXPECT_EQ(canonical(jkr_kind), jkr_kind);
-  EXPECT_EQ(canonical({NormalModel::hertz, AdhesionRange::full, DampingOn::contact_radius}), canonical({NormalModel::hertz, AdhesionRange::touch, DampingOn::overlap}));
+  EXPECT_EQ(canonical({NormalModel::hertz, AdhesionRange::full, DampingOn::contact_radius}),
+            canonical({NormalModel::hertz, AdhesionRange::touch, DampingOn::overlap}));
   EXPECT_EQ(effective_kind(jkr_kind, 0).normal, NormalModel::hertz);
   EXPECT_EQ(effective_kind(jkr_kind, 0.02), jkr_kind);
   EXPECT_EQ(to_string(jkr_kind), "jkr, pull_off, overlap");

@@ -72,20 +72,26 @@ TEST_P(ScalingTable, HasTheRowOfThePapers) {
 
 INSTANTIATE_TEST_SUITE_P(Rows, ScalingTable,
                          testing::Values(Row{"none", 0.25, 0.25, 0.25, 1, 1, false, 1, 1}, Row{"none", 4, 1, 1, 1, 4, false, 1, 1},
-                                         Row{"rps", 0.25, 0.25, 0.25, std::pow(0.25, 0.4), 1, false, 1, 1}, Row{"sup", 4, 1, 1, 1, 4, true, 4, 16},
-                                         Row{"overlap_kept", 4, 1, 1, 1, 4, true, 1, 16}, Row{"force_cubed", 4, 1, 1, 1, 4, true, 4, 64},
-                                         Row{"torque_cubed", 4, 1, 1, 1, 4, true, 4, 16}, Row{"sakai", 4, 1, 1, 1, 4, true, 1, 64},
-                                         Row{"chen_elliott", 4, 32, 1, 16, 4, false, 1, 1}, Row{"bond", 4, 1, 1, 16, 4, false, 1, 1},
-                                         Row{"cohesion", 4, 1, 1, std::pow(4, 1.6), 4, false, 1, 1}, Row{"thakur", 4, 1, 4, 4, 4, false, 1, 1}),
+                                         Row{"rps", 0.25, 0.25, 0.25, std::pow(0.25, 0.4), 1, false, 1, 1},
+                                         Row{"sup", 4, 1, 1, 1, 4, true, 4, 16}, Row{"overlap_kept", 4, 1, 1, 1, 4, true, 1, 16},
+                                         Row{"force_cubed", 4, 1, 1, 1, 4, true, 4, 64}, Row{"torque_cubed", 4, 1, 1, 1, 4, true, 4, 16},
+                                         Row{"sakai", 4, 1, 1, 1, 4, true, 1, 64}, Row{"chen_elliott", 4, 32, 1, 16, 4, false, 1, 1},
+                                         Row{"bond", 4, 1, 1, 16, 4, false, 1, 1},
+                                         Row{"cohesion", 4, 1, 1, std::pow(4, 1.6), 4, false, 1, 1},
+                                         Row{"thakur", 4, 1, 4, 4, 4, false, 1, 1}),
                          [](const auto& test) { return std::string(test.param.law) + (test.param.factor < 1 ? "_softer" : "_larger"); });
 
 TEST(ScalingLaws, AreAllTested) { EXPECT_EQ(scaling_laws().size(), 11u); }
 
 TEST(ScalingLaws, KeepTheNumbersTheyAreNamedAfter) {
   const Bodies original{{}, {}, {}, {1e-3, 1e-3}};
-  const auto bond = [](const Bodies& b) { return 3 * std::numbers::pi * b.pair().surface_energy * b.pair().radius / sphere_mass(b.radius[0], b.first.density); };
+  const auto bond = [](const Bodies& b) {
+    return 3 * std::numbers::pi * b.pair().surface_energy * b.pair().radius / sphere_mass(b.radius[0], b.first.density);
+  };
   EXPECT_NEAR(bond(scaled_bodies(*find_scaling_law("bond"), 8, original, NormalModel::jkr)) / bond(original), 1, 1e-13);
-  const auto cohesion = [](const Bodies& b) { return std::cbrt(std::pow(2 * b.pair().surface_energy, 5) / (std::pow(b.pair().young, 2) * std::pow(b.pair().radius, 8))); };
+  const auto cohesion = [](const Bodies& b) {
+    return std::cbrt(std::pow(2 * b.pair().surface_energy, 5) / (std::pow(b.pair().young, 2) * std::pow(b.pair().radius, 8)));
+  };
   EXPECT_NEAR(cohesion(scaled_bodies(*find_scaling_law("cohesion"), 8, original, NormalModel::jkr)) / cohesion(original), 1, 1e-12);
 }
 

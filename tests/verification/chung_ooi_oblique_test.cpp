@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <scalebreak/collisions/moving_scene.hpp>
+#include <scalebreak/collisions/bodies/moving_scene.hpp>
 
 // Chung & Ooi, Granular Matter 13 (2011) 643: the oblique and spinning impacts, tests 4 to 8, in their closed form while the
 // contact slides throughout; and the experiment of Kharaz, Gorham & Salman 2001 (digitised in the MFiX suite).

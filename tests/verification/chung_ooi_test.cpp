@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include <scalebreak/collisions/pair_collision.hpp>
+#include <scalebreak/collisions/normal/pair_collision.hpp>
 
 // Chung & Ooi, "Benchmark tests for verifying discrete element modelling codes at particle impact level",
 // Granular Matter 13 (2011) 643: the normal impacts, tests 1 to 3, at 1e-6.

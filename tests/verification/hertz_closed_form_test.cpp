@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <scalebreak/collisions/pair_collision.hpp>
+#include <scalebreak/collisions/normal/pair_collision.hpp>
 
 // Hertz: the undamped collision in closed form (Landau & Lifshitz), and the damped one, whose restitution is that put
 // in (Antypov & Elliott, EPL 94 (2011) 50004).

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <scalebreak/collisions/pair_collision.hpp>
+#include <scalebreak/collisions/normal/pair_collision.hpp>
 #include <scalebreak/contact/reduced.hpp>
 
 // Undamped JKR collisions against the energy balance: Chen & Elliott, eqs 11-13 and the sticking speed of section 4.

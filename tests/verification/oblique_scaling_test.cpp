@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <scalebreak/collisions/invariance.hpp>
+#include <scalebreak/collisions/invariance/invariance.hpp>
 
 // One oblique collision under scaling laws, in the limit of small overlaps, against docs/oblique.md: under a direct-force law the
 // pair is the original with inertia × l^{1+p−t} beside its mass.

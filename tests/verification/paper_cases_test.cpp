@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include <scalebreak/collisions/paper_case.hpp>
+#include <scalebreak/collisions/papers/paper_case.hpp>
 #include <scalebreak/scene/input_file.hpp>
 #include <scalebreak/scene/toml_reader.hpp>
 

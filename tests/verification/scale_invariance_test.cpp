@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <boost/numeric/odeint.hpp>
 
-#include <scalebreak/collisions/pair_collision.hpp>
+#include <scalebreak/collisions/normal/pair_collision.hpp>
 #include <scalebreak/contact/reduced.hpp>
 
 // Scaling laws on one pair: those that are exact leave e(v/v_stick) alone, and a direct-force law does what its equation of

@@ -1,7 +1,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include <scalebreak/collisions/normal_collision.hpp>
+#include <scalebreak/collisions/normal/normal_collision.hpp>
 #include <scalebreak/contact/damping.hpp>
 
 // A Hertz pair with the damping ratio of e = 0.5 comes apart with that restitution, at any speed.
