@@ -62,6 +62,9 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"JkrTouchOnOverlap",
              "[contact]\nnormal = \"jkr\"\nadhesion_range = \"touch\"\ndamping_on = \"overlap\"\ntangential = "
              "\"mindlin\"\ntangential_radius = \"overlap\"\n" SPHERES SPINS "tangential_speed = 0.1\n"},
+        // Its spring begins without stiffness under a load: it skids from almost its first instant on.
+        Case{"JkrFullOnOverlap", "[contact]\nnormal = \"jkr\"\ntangential = \"mindlin\"\ntangential_radius = \"overlap\"\n" SPHERES SPINS
+                                 "tangential_speed = 0.1\n"},
         Case{"Wall",
              "[contact]\nnormal = \"hertz\"\ntangential = \"mindlin\"\n[pair]\nradius = [0.5e-3]\npartner = "
              "\"wall\"\n[impact]\nnormal_speed = 0.2\nspin1 = [10, 200, 30]\ntangential_speed = 0.1\n"},

@@ -200,12 +200,13 @@ class EventIntegrator {
     const double past = std::max(1e-14, 1e-4 * std::min(tolerance_, 1e-6));
     double u = high, value = exact(u), slope = (estimate(high) - estimate(low)) / (high - low);
     double last_u = u, last_value = value;
+    // A value that falls through zero, as one that has just been dealt with may, is no event.
     for (int i = 0; i < 8 && slope > 0; ++i) {
-      u = std::clamp(last_u - last_value / slope + past / 2, 0.0, 1.0);
+      u = last_u - last_value / slope + past / 2;
+      if (u < from || u > 1) break;
       value = exact(u);
-      if (value > 0 && std::abs(u - last_u) <= past) return u;
       if (std::abs(u - last_u) > 1e-15) slope = (value - last_value) / (u - last_u);
-      if (value > 0 && std::abs(value / slope) <= past) return u;
+      if (value > 0 && slope > 0 && (std::abs(u - last_u) <= past || value / slope <= past)) return u;
       last_u = u;
       last_value = value;
     }
@@ -221,7 +222,15 @@ class EventIntegrator {
       at_high = exact(high);
       if (!(at_high > 0)) return 2;  // the cubic saw what the step does not hold
     }
-    if (at_low > 0) low = 0, at_low = -std::numeric_limits<double>::min();
+    // Above zero at once: it counts if it stays there, and else where it rises again.
+    if (at_low > 0) {
+      const double width = high - low, start = low;
+      for (const double share : {0.003, 0.03, 0.1, 0.3, 0.6, 0.9}) {
+        at_low = exact(low = start + share * width);
+        if (at_low <= 0) break;
+      }
+      if (at_low > 0) return (void)exact(start), start;
+    }
     if (at_low == 0) at_low = -std::numeric_limits<double>::min();
     std::uintmax_t iterations = 100;
     const auto close = [](double a, double b) { return b - a <= 1e-15 + 4 * std::numeric_limits<double>::epsilon() * b; };

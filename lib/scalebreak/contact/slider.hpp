@@ -20,7 +20,8 @@ struct SliderLaw {
 /// How a slider moves. `skids`: its dashpot alone exceeds the limit, and its spring is left as it is, unstretched or pushing forward.
 /// (A spring that made up for the dashpot would be driven forward ever further where the contact begins; in one that stiffens as it
 /// grows it would soon reverse the friction.)
-enum class Grip { holds, slides, skids };
+/// `relaxes`: slides after a skid, while its spring still pushes forward, less and less.
+enum class Grip { holds, slides, skids, relaxes };
 
 /// A spring and dashpot in series with a slider, in a contact plane: the history of sliding and of rolling. While it holds,
 /// `history` is the spring's displacement (or its force, if the law is incremental); while it slides, it is the unit direction
@@ -38,7 +39,8 @@ struct Slider {
   [[nodiscard, gnu::always_inline]] Tangent<D> force(const SliderLaw& law, const Tangent<D>& speed) const {
     switch (grip) {
       case Grip::holds: return spring(law, speed) + law.damping * speed;
-      case Grip::slides: return law.limit * direction();
+      case Grip::slides:
+      case Grip::relaxes: return law.limit * direction();
       case Grip::skids: break;
     }
     return law.limit * unit(limited(law, speed));
@@ -57,15 +59,17 @@ struct Slider {
   [[nodiscard]] double end_of_grip(const SliderLaw& law, const Tangent<D>& speed, const Tangent<D>& acceleration, double dt) const {
     switch (grip) {
       case Grip::holds: return length(limited(law, speed)) - law.limit * (1 + 1e-13);
-      case Grip::slides: return rest(law, speed, acceleration, dt);
+      case Grip::slides:
+      case Grip::relaxes: return rest(law, speed, acceleration, dt);
       case Grip::skids: break;
     }
     return law.limit - length(limited(law, speed));
   }
-  /// Above zero where what slides begins to skid: its spring pushes forward, and would be driven further.
+  /// Above zero where what slides begins to skid: its spring would be driven forward, or further forward.
   [[nodiscard]] double begin_of_skid(const SliderLaw& law, const Tangent<D>& speed, const Tangent<D>& acceleration) const {
-    if (!law.dashpot_is_limited || grip != Grip::slides || !(law.stiffness > 0)) return -1;
+    if (!law.dashpot_is_limited || grip == Grip::holds || grip == Grip::skids || !(law.stiffness > 0)) return -1;
     const double pull = direction().dot(spring(law, speed));
+    if (grip == Grip::slides) return -pull;
     const double pull_rate = law.limit_rate - direction().dot(law.damping * acceleration + law.damping_rate * speed);
     const double relaxing = pull_rate - pull * law.stiffness_rate / law.stiffness;
     return std::min(-pull, -relaxing);
@@ -75,12 +79,17 @@ struct Slider {
   void let_go(const SliderLaw& law, const Tangent<D>& speed, const Tangent<D>& acceleration, double dt) {
     switch (grip) {
       case Grip::holds: return slip(law, speed);
-      case Grip::slides: return hold(law, speed);
+      case Grip::slides:
+      case Grip::relaxes: return hold(law, speed);
       case Grip::skids: break;
     }
     const Tangent<D> kept = history;
     slide_along(limited(law, speed));
-    if (rest(law, speed, acceleration, dt) > 0) history = kept, grip = Grip::holds;
+    if (rest(law, speed, acceleration, dt) > 0) {
+      history = kept, grip = Grip::holds;
+    } else if (direction().dot(spring(law, speed)) < 0) {
+      grip = Grip::relaxes;
+    }
   }
   /// What slides skids from now on.
   void skid(const SliderLaw& law, const Tangent<D>& speed) {
@@ -99,7 +108,7 @@ struct Slider {
   }
   /// Where the limit passes zero, what slides has no force: it goes on the way that it is driven, or holds.
   void restart(const SliderLaw& law, const Tangent<D>& speed, const Tangent<D>& acceleration, double dt) {
-    if (grip != Grip::slides) return;
+    if (grip == Grip::holds || grip == Grip::skids) return;
     const Tangent<D> trial = trial_rate(law, speed, acceleration, dt);
     if (trial.norm() > 0) history = unit(trial);
     if (rest(law, speed, acceleration, dt) > 0) hold(law, speed);
@@ -127,7 +136,7 @@ struct Slider {
   }
   /// The spring's force.
   [[nodiscard]] Tangent<D> spring(const SliderLaw& law, const Tangent<D>& speed) const {
-    if (grip != Grip::slides) return (law.incremental ? 1.0 : law.stiffness) * history;
+    if (grip == Grip::holds || grip == Grip::skids) return (law.incremental ? 1.0 : law.stiffness) * history;
     return law.limit * direction() - (law.dashpot_is_limited ? law.damping : 0.0) * speed;
   }
   /// What the limit is on.

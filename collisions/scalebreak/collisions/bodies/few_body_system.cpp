@@ -147,7 +147,7 @@ void FewBodySystem::relink() {
     s[root] = scales.root;
     s[coordinate] = scales.coordinate;
     for (std::size_t k = 0; k < 3; ++k) {
-      s[slide + k] = link.slide == Grip::slides ? 1.0 : scales.overlap;
+      s[slide + k] = link.slide == Grip::slides || link.slide == Grip::relaxes ? 1.0 : scales.overlap;
       s[roll + k] = link.roll == Grip::slides ? 1.0 : scales.roll;
     }
     for (const std::size_t work : {damping_work, tangential_work, rolling_work, liquid_work}) s[work] = energy_unit_;

@@ -129,7 +129,7 @@ class PlanarSystem {
 
   void event_values(const State& y, Values& values) {
     evaluate(y);
-    if (slide_.grip == Grip::slides || roll_.grip == Grip::slides) rates(y);  // what holds is asked for its force alone
+    if (slide_.grip != Grip::holds || roll_.grip != Grip::holds) rates(y);  // what holds is asked for its force alone
     values.fill(-1.0);
     values[phase_end] = rooted_ ? -y[root] / root_unit_ : (law_.separation() - y[coordinate]) / scales_.coordinate;
     if (!rooted_ && laws_.needs_overlap_root()) values[phase_begin] = (y[coordinate] - law_.touch()) / scales_.coordinate;
