@@ -2,6 +2,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <random>
 
 #include <gtest/gtest.h>
@@ -60,8 +61,10 @@ Input glass(NormalModel normal) {
 class Oblique : public testing::TestWithParam<NormalModel> {
  protected:
   static const ObliqueTable& table() {
-    static const ObliqueTable linear = build(NormalModel::linear), hertz = build(NormalModel::hertz), jkr = build(NormalModel::jkr);
-    return GetParam() == NormalModel::linear ? linear : GetParam() == NormalModel::hertz ? hertz : jkr;
+    static std::map<NormalModel, ObliqueTable> tables;
+    const auto [at, missing] = tables.try_emplace(GetParam());
+    if (missing) at->second = build(GetParam());
+    return at->second;
   }
   static ObliqueTable build(NormalModel normal) {
     const double tolerance = normal == NormalModel::jkr ? 1e-3 : 1e-4;  // at 1e-4 a JKR table takes half a minute
