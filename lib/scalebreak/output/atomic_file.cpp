@@ -1,3 +1,4 @@
+#include <iterator>
 #include <scalebreak/output/atomic_file.hpp>
 
 #include <cerrno>
@@ -33,6 +34,12 @@ void write_file(const std::filesystem::path& path, std::string_view content) {
     fs::remove(part, failed);
     throw WorkError(fmt::format("cannot put {} in place: {}", path.string(), reason));
   }
+}
+
+std::optional<std::string> read_file(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) return std::nullopt;
+  return std::string(std::istreambuf_iterator<char>(file), {});
 }
 
 }  // namespace scalebreak

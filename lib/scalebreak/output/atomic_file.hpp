@@ -1,6 +1,8 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
+#include <string>
 #include <string_view>
 
 namespace scalebreak {
@@ -8,5 +10,8 @@ namespace scalebreak {
 /// Writes a whole file or nothing: into a neighbour, then renamed over. Makes missing folders.
 /// Throws WorkError that names the file and the system's reason.
 void write_file(const std::filesystem::path& path, std::string_view content);
+
+/// A whole file, or nothing where it cannot be opened.
+[[nodiscard]] std::optional<std::string> read_file(const std::filesystem::path& path);
 
 }  // namespace scalebreak

@@ -1,8 +1,6 @@
 #include <scalebreak/table/oblique_table_file.hpp>
 
 #include <cstring>
-#include <fstream>
-#include <iterator>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -66,12 +64,6 @@ PatchTable<Lanes> table_of(const json& tree_text, const std::string& array) {
   return {std::move(tree), std::move(values)};
 }
 
-std::optional<std::string> read_all(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) return std::nullopt;
-  return std::string(std::istreambuf_iterator<char>(file), {});
-}
-
 ObliqueTable parse(const std::string& text, const std::string& entries, const std::string& turnings, const ObliqueKey& key) {
   json j = json::parse(text);
   const json said = j.at("checksum");
@@ -122,7 +114,7 @@ void write_oblique_table(const std::filesystem::path& folder, const ObliqueTable
 
 ObliqueTableOnDisk read_oblique_table(const std::filesystem::path& folder, const ObliqueKey& key) {
   const std::string base = (folder / oblique_table_file_name(key)).string();
-  const auto text = read_all(base + ".json"), entries = read_all(base + "-entries.npy"), turnings = read_all(base + "-turnings.npy");
+  const auto text = read_file(base + ".json"), entries = read_file(base + "-entries.npy"), turnings = read_file(base + "-turnings.npy");
   if (!text && !entries && !turnings) return {};
   if (!text || !entries || !turnings) return {{}, "one of its three files is missing"};
   try {

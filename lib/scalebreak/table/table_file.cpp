@@ -1,7 +1,6 @@
 #include <scalebreak/table/table_file.hpp>
 
 #include <cstring>
-#include <fstream>
 #include <iterator>
 
 #include <fmt/format.h>
@@ -50,12 +49,6 @@ json key_json(const TableKey& key) {
           {"adhesion_range", to_string(key.kind.range)},
           {"damping_on", to_string(key.kind.damping_on)},
           {"tolerance", key.tolerance}};
-}
-
-std::optional<std::string> read_all(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) return std::nullopt;
-  return std::string(std::istreambuf_iterator<char>(file), {});
 }
 
 /// Throws json exceptions and WorkError on anything that does not fit.
@@ -114,8 +107,8 @@ void write_table(const std::filesystem::path& folder, const CollisionTable& tabl
 TableOnDisk read_table(const std::filesystem::path& folder, const TableKey& key) {
   const TableKey canonical_key{canonical(key.kind), key.tolerance};
   const std::filesystem::path base = folder / table_file_name(canonical_key);
-  const auto text = read_all(base.string() + ".json");
-  const auto array = read_all(base.string() + ".npy");
+  const auto text = read_file(base.string() + ".json");
+  const auto array = read_file(base.string() + ".npy");
   if (!text && !array) return {};
   if (!text || !array) return {{}, "one of its two files is missing"};
   try {
