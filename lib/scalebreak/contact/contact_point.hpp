@@ -6,12 +6,14 @@ namespace scalebreak {
 
 /// Where a contact stands: what tangential, rolling and liquid laws are functions of. The same fields hold the rates of
 /// change, where a law asks for them.
-struct ContactPoint {
-  double overlap = 0;       ///< δ [m]
-  double root = 0;          ///< √a [m^{1/2}]; 0 of a linear contact
-  double overlap_root = 0;  ///< (R*δ)^{1/4}, 0 for δ ≤ 0 [m^{1/2}]
-  double load = 0;          ///< F_N, what friction is a share of [N]
+template <class T>
+struct ContactPointOf {
+  T overlap = 0;       ///< δ [m]
+  T root = 0;          ///< √a [m^{1/2}]; 0 of a linear contact
+  T overlap_root = 0;  ///< (R*δ)^{1/4}, 0 for δ ≤ 0 [m^{1/2}]
+  T load = 0;          ///< F_N, what friction is a share of [N]
 };
+using ContactPoint = ContactPointOf<double>;
 
 /// A vector in the contact plane: one number where all motion is in one plane, else three.
 template <int D>

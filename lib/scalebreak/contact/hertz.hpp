@@ -47,6 +47,13 @@ struct Hertz {
   }
   [[nodiscard]] T touch() const { return T(0); }
   [[nodiscard]] T separation() const { return T(0); }
+
+  /// The same law of another scalar, its numbers given by `value`, a function of a pointer to member.
+  template <class Value>
+  [[nodiscard]] static Hertz from(const Hertz<double>&, Value value) {
+    using Source = Hertz<double>;
+    return {value(&Source::curvature), value(&Source::stiffness), value(&Source::dashpot)};
+  }
 };
 
 }  // namespace scalebreak

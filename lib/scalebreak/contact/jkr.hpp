@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include <scalebreak/base/scalar.hpp>
 #include <scalebreak/contact/contact_kind.hpp>
 
 namespace scalebreak {
@@ -59,8 +60,7 @@ struct Jkr {
     if constexpr (damping_on == DampingOn::contact_radius) {
       return dashpot * x;
     } else {
-      const T depth = overlap(x);
-      return depth > 0 ? damping_of_root(sqrt(sqrt(depth))) : T(0);
+      return damping_of_root(sqrt(sqrt(positive_part(overlap(x)))));
     }
   }
 
@@ -79,15 +79,15 @@ struct Jkr {
   /// Below the fold it returns the fold. Ferrari's resolvent P³ + 4RδP − q² = 0 with q = R√(4πγ/E*),
   /// its root written so that nothing cancels: P = q²/(A² + AB + B²) with A³ − B³ = q², AB = 4Rδ/3.
   [[nodiscard]] T coordinate(T overlap) const {
-    using std::cbrt, std::sqrt;
+    using std::sqrt;
     const T q = adhesive_overlap / curvature;
     const T third = 4 * overlap / (3 * curvature);
     const T square = q * q * q * q / 4 + third * third * third;
-    const T a = cbrt(q * q / 2 + sqrt(square > 0 ? square : T(0)));
+    const T a = cube_root(T(q * q / 2 + sqrt(positive_part(square))));
     const T b = third / a;
     const T p = sqrt(q * q / (a * a + a * b + b * b));
     const T rest = 2 * q / p - p * p;
-    return (p + sqrt(rest > 0 ? rest : T(0))) / 2;
+    return (p + sqrt(positive_part(rest))) / 2;
   }
 
   /// x where dδ/dx = 0: no contact exists below (point S).
@@ -112,6 +112,14 @@ struct Jkr {
       case AdhesionRange::touch: break;
     }
     return touch();
+  }
+
+  /// The same law of another scalar, its numbers given by `value`, a function of a pointer to member.
+  template <class Value>
+  [[nodiscard]] static Jkr from(const Jkr<double, damping_on>& form, Value value) {
+    using Source = Jkr<double, damping_on>;
+    return {value(&Source::curvature),      value(&Source::adhesive_overlap), value(&Source::stiffness),
+            value(&Source::adhesive_force), value(&Source::dashpot),          form.range};
   }
 
  private:

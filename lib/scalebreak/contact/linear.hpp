@@ -35,6 +35,12 @@ struct Linear {
   [[nodiscard]] T coordinate(T overlap) const { return overlap; }
   [[nodiscard]] T touch() const { return T(0); }       ///< x at first contact
   [[nodiscard]] T separation() const { return T(0); }  ///< x where the contact ends
+
+  /// The same law of another scalar, its numbers given by `value`, a function of a pointer to member.
+  template <class Value>
+  [[nodiscard]] static Linear from(const Linear<double>&, Value value) {
+    return {value(&Linear<double>::stiffness), value(&Linear<double>::dashpot)};
+  }
 };
 
 }  // namespace scalebreak

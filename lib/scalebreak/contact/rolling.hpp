@@ -17,18 +17,19 @@ namespace scalebreak {
 ///            2η_r √(I_r k_r) while |M| is below its limit μ_r R* F_N       (Washino et al. 2024, eqs 42–47)
 ///     epsd2: dM = k_r dθ with k_r = 8G* y² R*² (linear contact: k_t R*²), limited to μ_r R* F_N   (Hu 2024, eqs 2.47–2.50)
 ///     ar:    M = 4F_po R* (a/a_0)^{3/2} θ = 4√(πγE*) R* y³ θ, limited by |θ| ≤ θ_max      (Washino et al. 2024, eqs 48–53)
-struct Rolling {
+template <class T>
+struct RollingOf {
   RollingModel model = RollingModel::none;
-  bool linear = false;   ///< k_r does not depend on the contact
-  double stiffness = 0;  ///< k_r, or what multiplies y² (y³ for `ar`) in it
-  double dashpot = 0;    ///< what multiplies √k_r
-  double limit = 0;      ///< μ_r R*, or θ_max
+  bool linear = false;  ///< k_r does not depend on the contact
+  T stiffness = 0;      ///< k_r, or what multiplies y² (y³ for `ar`) in it
+  T dashpot = 0;        ///< what multiplies √k_r
+  T limit = 0;          ///< μ_r R*, or θ_max
 
   /// `adhesive_rolling` multiplies the torque of `ar`: a scaling law may ask for it.
-  [[nodiscard]] static Rolling make(const SurfaceKind& kind, const ContactKind& contact, const NormalPair& pair,
-                                    const SurfacePair& surfaces, double adhesive_rolling) {
+  [[nodiscard]] static RollingOf make(const SurfaceKind& kind, const ContactKind& contact, const NormalPair& pair,
+                                      const SurfacePair& surfaces, double adhesive_rolling) {
     const double square = pair.radius * pair.radius, mu = surfaces.rolling_friction;
-    Rolling law{.model = kind.rolling, .linear = contact.normal == NormalModel::linear, .limit = mu * pair.radius};
+    RollingOf law{.model = kind.rolling, .linear = contact.normal == NormalModel::linear, .limit = mu * pair.radius};
     switch (kind.rolling) {
       case RollingModel::none:
       case RollingModel::cdt: break;
@@ -51,18 +52,39 @@ struct Rolling {
   /// Does its spring vanish with the overlap?
   [[nodiscard]] bool on_overlap() const { return !linear && (model == RollingModel::epsd || model == RollingModel::epsd2); }
 
-  [[nodiscard]] SliderLaw at(const ContactPoint& point, const ContactPoint& rate) const {
+  /// Spring, dashpot and limit at a point of the contact.
+  [[nodiscard]] SliderLawOf<T> at(const ContactPointOf<T>& point) const {
+    using std::sqrt;
     if (model == RollingModel::ar) {
-      const double y = point.root, k = stiffness * y * y * y, k_rate = 3 * stiffness * y * y * rate.root;
-      return {.stiffness = k, .stiffness_rate = k_rate, .limit = k * limit, .limit_rate = k_rate * limit};
+      const T y = point.root, k = stiffness * y * y * y;
+      return {.stiffness = k, .limit = k * limit};
     }
-    SliderLaw law{.limit = limit * point.load, .limit_rate = limit * rate.load, .incremental = true};
+    SliderLawOf<T> law{.limit = limit * point.load, .incremental = true};
     if (rigid()) return law;
-    const double y = point.overlap_root;
-    law.stiffness = linear ? stiffness : stiffness * y * y;
-    law.damping = dashpot * std::sqrt(stiffness) * (linear ? 1.0 : y);
+    const T y = linear ? T(1) : point.overlap_root;
+    law.stiffness = stiffness * y * y;
+    law.damping = dashpot * sqrt(stiffness) * y;
     return law;
   }
+  /// The same with the rates of change that the exact engines ask for; `rate` holds the point's.
+  [[nodiscard]] SliderLawOf<T> at(const ContactPointOf<T>& point, const ContactPointOf<T>& rate) const {
+    SliderLawOf<T> law = at(point);
+    if (model == RollingModel::ar) {
+      law.stiffness_rate = 3 * stiffness * point.root * point.root * rate.root;
+      law.limit_rate = law.stiffness_rate * limit;
+    } else {
+      law.limit_rate = limit * rate.load;
+    }
+    return law;
+  }
+
+  /// The same law of another scalar, its numbers given by `value`, a function of a pointer to member of Rolling.
+  template <class Value>
+  [[nodiscard]] static RollingOf from(const RollingOf<double>& form, Value value) {
+    using Source = RollingOf<double>;
+    return {form.model, form.linear, value(&Source::stiffness), value(&Source::dashpot), value(&Source::limit)};
+  }
 };
+using Rolling = RollingOf<double>;
 
 }  // namespace scalebreak

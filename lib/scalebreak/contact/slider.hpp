@@ -8,14 +8,16 @@
 namespace scalebreak {
 
 /// What a spring–dashpot–slider is made of at one instant, with the rates of change of its parts.
-struct SliderLaw {
-  double stiffness = 0, stiffness_rate = 0;
-  double damping = 0, damping_rate = 0;
-  double limit = 0, limit_rate = 0;
-  double limit_floor = 0;           ///< far below it a direction is not followed any more
+template <class T>
+struct SliderLawOf {
+  T stiffness = 0, stiffness_rate = 0;
+  T damping = 0, damping_rate = 0;
+  T limit = 0, limit_rate = 0;
+  T limit_floor = 0;                ///< far below it a direction is not followed any more
   bool dashpot_is_limited = false;  ///< the limit is on spring plus dashpot; else on the spring, and what slides has no dashpot
   bool incremental = false;         ///< the history is the spring's force, dF = k du; else its displacement, F = k u
 };
+using SliderLaw = SliderLawOf<double>;
 
 /// How a slider moves. `skids`: its dashpot alone exceeds the limit, and its spring is left as it is, unstretched or pushing forward.
 /// (A spring that made up for the dashpot would be driven forward ever further where the contact begins; in one that stiffens as it

@@ -1,13 +1,12 @@
 #pragma once
 
-#include <array>
 #include <functional>
 #include <limits>
 #include <vector>
 
 #include <Eigen/Core>
 
-#include <scalebreak/contact/contact_laws.hpp>
+#include <scalebreak/scaling/mapped_laws.hpp>
 
 namespace scalebreak {
 
@@ -18,16 +17,6 @@ struct MovingBody {
   double mass = std::numeric_limits<double>::infinity();     ///< infinite: moves on as it started
   double inertia = std::numeric_limits<double>::infinity();  ///< about its centre [kg m²]
   bool plane = false;                                        ///< a wall through `position`, above which the others are (+z)
-};
-
-/// The laws between two of the bodies, evaluated at the variables of the ORIGINAL pair, and what turns the answer into the
-/// scaled pair's. Without a direct-force law all factors are 1.
-struct MappedLaws {
-  ContactLaws laws;
-  double length = 1;                      ///< original over scaled overlap, gap and time
-  double spin = 1;                        ///< original over scaled spin
-  double force = 1, torque = 1;           ///< scaled over original
-  std::array<double, 2> radius = {0, 0};  ///< of the original spheres [m]
 };
 
 /// Where the energy of a motion is and where it went [J]. The sum stays what it was at the start.

@@ -38,29 +38,6 @@ void spread(std::vector<Body>& bodies, const Input& input, double size) {
 
 }  // namespace
 
-MappedLaws mapped_laws(const Input& input, const Bodies& original, const ScalingLaw& law, double factor, std::array<bool, 2> fixed) {
-  const Bodies evaluated = law.direct_force ? original : scaled_bodies(law, factor, original, input.contact.normal);
-  NormalPair pair = evaluated.pair();
-  SurfacePair surfaces = evaluated.surfaces();
-  for (const std::size_t moves : {0, 1}) {
-    if (!fixed[1 - moves]) continue;
-    const Material& material = moves == 0 ? evaluated.first : evaluated.second;
-    const double radius = evaluated.radius[moves];
-    pair.mass = sphere_mass(radius, material.density);
-    surfaces.rolling_inertia = 1.4 * pair.mass * radius * radius;
-  }
-  const auto power = [&](double exponent) { return std::pow(factor, exponent); };
-  const ContactKind kind = effective_kind(input.contact, pair.surface_energy);
-  MappedLaws mapped{.laws = contact_laws(kind, input.surface, pair, surfaces, power(law.adhesive_rolling)),
-                    .radius = {evaluated.radius[0], original.against_wall() ? 0.0 : evaluated.radius[1]}};
-  if (!law.direct_force) return mapped;
-  mapped.length = power(-law.overlap);
-  mapped.spin = factor;
-  mapped.force = power(law.force);
-  mapped.torque = power(law.torque);
-  return mapped;
-}
-
 MovingScene moving_scene(const Input& input, const ScalingLaw& law, double factor) {
   const double size = size_factor(law, factor);
   std::vector<Body> bodies = input.bodies.empty() ? bodies_of_pair(input) : input.bodies;
@@ -76,10 +53,10 @@ MovingScene moving_scene(const Input& input, const ScalingLaw& law, double facto
   if (wall) scene.bodies.push_back({.plane = true});
   for (std::size_t i = 0; i < original.size(); ++i) {
     const Material& first = input.material_of(original[i]);
-    if (wall) scene.laws.push_back(mapped_laws(input, {first, {}, input.wall, {original[i].radius}}, law, factor));
+    if (wall) scene.laws.push_back(mapped_laws(input.contact, input.surface, {first, {}, input.wall, {original[i].radius}}, law, factor));
     for (std::size_t j = i + 1; j < original.size(); ++j) {
       const Bodies pair{first, input.material_of(original[j]), input.wall, {original[i].radius, original[j].radius}};
-      scene.laws.push_back(mapped_laws(input, pair, law, factor, {original[i].fixed, original[j].fixed}));
+      scene.laws.push_back(mapped_laws(input.contact, input.surface, pair, law, factor, {original[i].fixed, original[j].fixed}));
     }
   }
   return scene;

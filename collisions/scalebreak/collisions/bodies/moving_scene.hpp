@@ -31,8 +31,4 @@ struct MovingScene {
 /// Under the input's own law.
 [[nodiscard]] MovingScene moving_scene(const Input& input);
 
-/// The laws of one pair of bodies under a scaling law; a fixed one counts as infinitely heavy.
-[[nodiscard]] MappedLaws mapped_laws(const Input& input, const Bodies& original, const ScalingLaw& law, double factor,
-                                     std::array<bool, 2> fixed = {false, false});
-
 }  // namespace scalebreak
