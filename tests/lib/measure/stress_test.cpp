@@ -86,11 +86,13 @@ TEST(Stress, ABranchAcrossThePeriodicFacesLiesInBothEndSlabs) {
   add_sphere(system, {0.9, 0.5, 0.5});
   add_sphere(system, {0.92, 0.5, 0.5});
   const FlowResult result = held(system,
-                                 {{.first = 0, .second = 1, .branch = {0, 0, 0.03}, .force = {0, 0, -3}},
+                                 {{.first = 0, .second = 1, .branch = {0, 0, 0.03}, .force = {1, 0, -3}},
                                   {.first = 2, .second = 3, .branch = {0.02, 0, 0}, .force = {-3, 0, 0}}},
                                  10);
   EXPECT_NEAR(profile_of(result, "stress_zz")[9].value, 0.3, 1e-13);
   EXPECT_NEAR(profile_of(result, "stress_zz")[0].value, 0.6, 1e-13);
+  EXPECT_NEAR(profile_of(result, "stress_xz")[9].value, -0.1, 1e-13);
+  EXPECT_EQ(profile_of(result, "stress_zx")[9].value, 0);
   EXPECT_NEAR(profile_of(result, "stress_xx")[5].value, 0.6, 1e-13);  // level: in the slab where it lies
 }
 
