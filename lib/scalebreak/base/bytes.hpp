@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstddef>
+#include <cstring>
+#include <string>
+#include <string_view>
+#include <type_traits>
+
+#include <Eigen/Core>
+
+#include <scalebreak/base/error.hpp>
+
+namespace scalebreak {
+
+/// Appends a value as it lies in the memory of this machine: for checkpoints.
+template <class T>
+requires std::is_arithmetic_v<T>
+void put_bytes(std::string& bytes, T value) { bytes.append(reinterpret_cast<const char*>(&value), sizeof value); }
+
+/// Takes such a value off the front. WorkError where too little is left.
+template <class T>
+requires std::is_arithmetic_v<T>
+void take_bytes(std::string_view& bytes, T& value) {
+  if (bytes.size() < sizeof value) throw WorkError("a saved state is cut short; start from an earlier one");
+  std::memcpy(&value, bytes.data(), sizeof value);
+  bytes.remove_prefix(sizeof value);
+}
+
+inline void put_bytes(std::string& bytes, const Eigen::ArrayXd& values) {
+  put_bytes(bytes, values.size());
+  for (const double value : values) put_bytes(bytes, value);
+}
+
+inline void take_bytes(std::string_view& bytes, Eigen::ArrayXd& values) {
+  Eigen::Index size = 0;
+  take_bytes(bytes, size);
+  if (size < 0 || static_cast<std::size_t>(size) > bytes.size() / sizeof(double)) {
+    throw WorkError("a saved state is cut short; start from an earlier one");
+  }
+  values.resize(size);
+  for (double& value : values) take_bytes(bytes, value);
+}
+
+}  // namespace scalebreak
