@@ -1,9 +1,11 @@
 #include <scalebreak/output/atomic_file.hpp>
 
+#include <csignal>
 #include <thread>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <lib/surroundings.hpp>
 #include <scalebreak/base/error.hpp>
@@ -79,6 +81,38 @@ TEST(AtomicFile, AFolderInTheWayOfAFileIsNamedAndNoPartIsLeft) {
   tests::put_file(folder / "result.json/inside.txt", "old");
   EXPECT_EQ(failure(folder / "result.json"), fmt::format("cannot put {} in place: Is a directory", (folder / "result.json").string()));
   EXPECT_EQ(entries_in(folder.path()), 1) << "a .part was left";
+}
+
+TEST(AtomicFile, AppendsToWhatIsThereOrBeginsAFile) {
+  const TemporaryFolder folder;
+  append_file(folder / "sub/a.xyz", "one\n");
+  append_file(folder / "sub/a.xyz", "two\n");
+  EXPECT_EQ(content_of(folder / "sub/a.xyz"), "one\ntwo\n");
+}
+
+TEST(AtomicFile, AppendingToAFolderIsNamedWithTheSystemsReason) {
+  const TemporaryFolder folder;
+  try {
+    append_file(folder.path(), "text");
+    ADD_FAILURE() << "appended";
+  } catch (const WorkError& error) {
+    EXPECT_EQ(error.what(), fmt::format("cannot append to {}: Is a directory", folder.path().string()));
+  }
+}
+
+TEST(AtomicFile, AppendsWholeOrNotAtAllWhereTheDiskIsFull) {
+  const TemporaryFolder folder;
+  const auto path = folder / "a.xyz";
+  append_file(path, "frame\n");
+  rlimit old{};
+  ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &old), 0);
+  const rlimit small{1000, old.rlim_max};
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
+  EXPECT_THROW(append_file(path, std::string(100'000, 'x')), WorkError);
+  setrlimit(RLIMIT_FSIZE, &old);
+  std::signal(SIGXFSZ, handler);
+  EXPECT_EQ(content_of(path), "frame\n");
 }
 
 }  // namespace
