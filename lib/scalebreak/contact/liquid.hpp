@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include <scalebreak/base/scalar.hpp>
 #include <scalebreak/contact/surface_kind.hpp>
 #include <scalebreak/material/pair.hpp>
 
@@ -20,17 +21,18 @@ namespace scalebreak {
 ///
 ///     C_N = 6πμR*²/S,  C_T = 6πμR* (8/15 ln(R*/S) + 0.9588),
 ///     C_R = 6πμR* (2/15 ln(R*/S) − 0.2526) while that is positive, else 6πμR*/8 q⁴ (1 − 3q/8), q = R*/(S + R*)
-struct Liquid {
+template <class T>
+struct LiquidOf {
   bool capillary = false, viscous = false;
   AttractionRange range = AttractionRange::bridge;
-  double radius = 0;          ///< R* [m]
-  double tension = 0;         ///< 4πR*σ cosθ [N]
-  double spread = 0;          ///< V/(πR*) [m²]
-  double drag = 0;            ///< 6πμR* [N s/m]
-  double separation_min = 0;  ///< [m]
-  double rupture = 0;         ///< [m]
+  T radius = 0;          ///< R* [m]
+  T tension = 0;         ///< 4πR*σ cosθ [N]
+  T spread = 0;          ///< V/(πR*) [m²]
+  T drag = 0;            ///< 6πμR* [N s/m]
+  T separation_min = 0;  ///< [m]
+  T rupture = 0;         ///< [m]
 
-  [[nodiscard]] static Liquid make(const SurfaceKind& kind, const NormalPair& pair, const SurfacePair& surfaces) {
+  [[nodiscard]] static LiquidOf make(const SurfaceKind& kind, const NormalPair& pair, const SurfacePair& surfaces) {
     constexpr double pi = std::numbers::pi;
     return {.capillary = kind.capillary() && surfaces.surface_tension > 0,
             .viscous = kind.viscous() && surfaces.viscosity > 0,
@@ -48,32 +50,46 @@ struct Liquid {
   [[nodiscard]] bool bridges() const { return acts() && range == AttractionRange::bridge && rupture > 0; }
 
   /// Attraction at separation S ≥ separation_min [N].
-  [[nodiscard]] double capillary_force(double separation) const {
-    if (!capillary) return 0;
+  [[nodiscard]] T capillary_force(T separation) const {
+    using std::sqrt;
+    if (!capillary) return T(0);
     // With q = √(1 + spread/S²) the force is tension (q − 1)/q, written so that nothing cancels where q is near 1.
-    const double ratio = spread / (separation * separation), q = std::sqrt(1 + ratio);
+    const T ratio = spread / (separation * separation), q = sqrt(1 + ratio);
     return tension * ratio / (q * (q + 1));
   }
   /// Work done against the capillary force from first touch to separation S, which is negative in contact [J].
-  [[nodiscard]] double capillary_energy(double separation) const {
-    if (!capillary) return 0;
-    const double near = std::min(separation, separation_min);
-    const auto primitive = [&](double s) { return tension * (s - std::sqrt(s * s + spread)); };
-    return near * capillary_force(separation_min) + (separation > near ? primitive(separation) - primitive(separation_min) : 0.0);
+  [[nodiscard]] T capillary_energy(T separation) const {
+    using std::min, std::sqrt;
+    if (!capillary) return T(0);
+    const T near = min(separation, separation_min);
+    const auto primitive = [&](T s) { return tension * (s - sqrt(s * s + spread)); };
+    return near * capillary_force(separation_min) + choose(separation > near, T(primitive(separation) - primitive(separation_min)), T(0));
   }
-  [[nodiscard]] double normal_drag(double separation) const { return viscous ? drag * radius / separation : 0; }
-  [[nodiscard]] double tangential_drag(double separation) const {
-    return viscous ? drag * (8.0 / 15 * std::log(radius / separation) + 0.9588) : 0;
+  [[nodiscard]] T normal_drag(T separation) const { return viscous ? T(drag * radius / separation) : T(0); }
+  [[nodiscard]] T tangential_drag(T separation) const {
+    using std::log;
+    return viscous ? T(drag * (8.0 / 15 * log(radius / separation) + 0.9588)) : T(0);
   }
-  [[nodiscard]] double rolling_drag(double separation) const { return rolling_drag(separation, separation >= rolling_branch()); }
-  [[nodiscard]] double rolling_drag(double separation, bool second_branch) const {
-    if (!viscous) return 0;
-    if (!second_branch) return drag * (2.0 / 15 * std::log(radius / separation) - 0.2526);
-    const double q = radius / (separation + radius);
-    return drag / 8 * q * q * q * q * (1 - 3 * q / 8);
+  [[nodiscard]] T rolling_drag(T separation) const { return rolling_drag(separation, separation >= rolling_branch()); }
+  template <class Mask>
+  [[nodiscard]] T rolling_drag(T separation, Mask second_branch) const {
+    using std::log;
+    if (!viscous) return T(0);
+    const T q = radius / (separation + radius);
+    return choose(second_branch, T(drag / 8 * q * q * q * q * (1 - 3 * q / 8)), T(drag * (2.0 / 15 * log(radius / separation) - 0.2526)));
   }
   /// The separation at which C_R takes its second branch: where its first turns negative.
-  [[nodiscard]] double rolling_branch() const { return radius * std::exp(-0.2526 * 15 / 2); }
+  [[nodiscard]] T rolling_branch() const { return radius * std::exp(-0.2526 * 15 / 2); }
+
+  /// The same law of another scalar, its numbers given by `value`, a function of a pointer to member of Liquid.
+  template <class Value>
+  [[nodiscard]] static LiquidOf from(const LiquidOf<double>& form, Value value) {
+    using Source = LiquidOf<double>;
+    return {form.capillary,          form.viscous,           form.range,           value(&Source::radius),
+            value(&Source::tension), value(&Source::spread), value(&Source::drag), value(&Source::separation_min),
+            value(&Source::rupture)};
+  }
 };
+using Liquid = LiquidOf<double>;
 
 }  // namespace scalebreak

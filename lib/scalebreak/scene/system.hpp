@@ -9,7 +9,7 @@
 
 namespace scalebreak {
 
-/// What a contact remembers: histories of sliding and rolling, as they stand between the scaled spheres.
+/// What a contact remembers: histories of sliding and rolling as its laws keep them; under a direct-force law, the original pair's.
 struct ContactMemory {
   std::int32_t first = 0, second = 0;  ///< indices of spheres; `second` below 0: the wall −1 − 2·axis (lower face) or −2 − 2·axis (upper)
   bool touching = true;                ///< else only a liquid bridge holds them

@@ -1,0 +1,17 @@
+#include <cmath>
+#include <cstring>
+#include <experimental/simd>
+
+#include <scalebreak/contact/stepped_slider.hpp>
+#include <scalebreak/dem/kernel/kernel.hpp>
+
+namespace scalebreak::dem::baseline {
+namespace {
+namespace stdx = std::experimental;
+#include "kernel_body.hpp"
+}  // namespace
+
+extern const Kernel kernel;
+const Kernel kernel{"baseline", forces, move, select};
+
+}  // namespace scalebreak::dem::baseline

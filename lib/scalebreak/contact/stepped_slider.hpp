@@ -1,0 +1,80 @@
+#pragma once
+
+#include <cmath>
+
+#include <scalebreak/base/scalar.hpp>
+#include <scalebreak/contact/slider.hpp>
+
+namespace scalebreak {
+
+/// A vector whose components are scalars of any kind, packs of doubles too.
+template <class T>
+struct Vector3Of {
+  T x = 0, y = 0, z = 0;
+
+  [[nodiscard]] T dot(const Vector3Of& b) const { return x * b.x + y * b.y + z * b.z; }
+  [[nodiscard]] Vector3Of cross(const Vector3Of& b) const { return {y * b.z - z * b.y, z * b.x - x * b.z, x * b.y - y * b.x}; }
+  [[nodiscard]] T norm() const {
+    using std::sqrt;
+    return sqrt(dot(*this));
+  }
+  friend Vector3Of operator+(const Vector3Of& a, const Vector3Of& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+  friend Vector3Of operator-(const Vector3Of& a, const Vector3Of& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+  friend Vector3Of operator*(const T& s, const Vector3Of& a) { return {s * a.x, s * a.y, s * a.z}; }
+};
+
+/// A history turned into the plane across `normal`, its length kept.
+template <class T>
+[[nodiscard, gnu::always_inline]] inline Vector3Of<T> turned_into_plane(const Vector3Of<T>& history, const Vector3Of<T>& normal) {
+  using std::sqrt;
+  const Vector3Of<T> flat = history - history.dot(normal) * normal;
+  const T before = history.dot(history), after = flat.dot(flat);
+  return choose(after > 0.0, T(sqrt(before / choose(after > 0.0, after, T(1)))), T(0)) * flat;
+}
+
+/// The slider of a soft-sphere engine: the same spring, dashpot and limit as Slider, stepped over `time` and set back to the limit
+/// rather than located there. Changes `history` (see Slider: a displacement or, of an incremental law, a force) and returns the force
+/// against `speed`. What slides has a spring that makes spring and dashpot equal the limit; where it would have to push forward, and
+/// further than it does, it is left as it is (Slider's skid). A law without a spring gives its limit against the speed.
+template <class T>
+[[nodiscard, gnu::always_inline]] inline Vector3Of<T> step_slider(const SliderLawOf<T>& law, bool rigid, Vector3Of<T>& history,
+                                                                  const Vector3Of<T>& speed, const T& time) {
+  using std::sqrt;
+  const auto over = [](const T& length, const T& limit) {  // by what a vector of this length is shortened to the limit
+    const auto longer = length > limit;
+    return choose(longer, T(limit / choose(longer, length, T(1))), T(1));
+  };
+  if (rigid) {
+    const T length = speed.norm();
+    return choose(length > 0.0, T(law.limit / choose(length > 0.0, length, T(1))), T(0)) * speed;
+  }
+  if (law.incremental) {
+    const Vector3Of<T> trial = history + (law.stiffness * time) * speed;
+    const T length = trial.norm(), share = over(length, law.limit);
+    history = share * trial;
+    const T damping = choose(length > law.limit, T(0), law.damping);  // what slides has no dashpot
+    return history + damping * speed;
+  }
+  const Vector3Of<T> stretched = history + time * speed;
+  if (!law.dashpot_is_limited) {
+    const Vector3Of<T> trial = law.stiffness * stretched;
+    const T share = over(trial.norm(), law.limit);
+    history = share * stretched;
+    return share * trial;
+  }
+  const Vector3Of<T> dashpot = law.damping * speed, trial = law.stiffness * stretched + dashpot;
+  const T length = trial.norm();
+  const auto slides = length > law.limit;
+  const Vector3Of<T> force = over(length, law.limit) * trial;
+  // Along the force: what the spring would pull, and what it pulls if it is left as it is; both over the stiffness and the limit.
+  const Vector3Of<T> spring = force - dashpot, kept = law.stiffness * history;
+  const T pull = force.dot(spring), pull_before = force.dot(kept);
+  const auto skids = slides && pull < 0.0 && pull < pull_before;
+  const T softness = choose(law.stiffness > 0.0, T(1.0 / choose(law.stiffness > 0.0, law.stiffness, T(1))), T(0));
+  history.x = choose(slides, choose(skids, history.x, T(softness * spring.x)), stretched.x);
+  history.y = choose(slides, choose(skids, history.y, T(softness * spring.y)), stretched.y);
+  history.z = choose(slides, choose(skids, history.z, T(softness * spring.z)), stretched.z);
+  return force;
+}
+
+}  // namespace scalebreak
