@@ -41,11 +41,12 @@ struct Rolling {
         law.stiffness = adhesive_rolling * 4 * std::sqrt(std::numbers::pi * surfaces.surface_energy * pair.young) * pair.radius;
         law.limit = surfaces.rolling_angle_max;
         break;
+      case RollingModel::sds: break;
     }
     return law;
   }
 
-  [[nodiscard]] bool acts() const { return model != RollingModel::none && limit > 0; }
+  [[nodiscard]] bool acts() const { return model != RollingModel::none && model != RollingModel::sds && limit > 0; }
   /// Without a spring the torque at zero spin is whatever balances the rest, up to the limit.
   [[nodiscard]] bool rigid() const { return model == RollingModel::cdt; }
   /// Does its spring vanish with the overlap?
