@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <scalebreak/base/error.hpp>
 #include <scalebreak/base/version.hpp>
 #include <scalebreak/output/atomic_file.hpp>
 #include <scalebreak/scene/input_file.hpp>
@@ -18,7 +19,11 @@ Input Options::input(const std::optional<std::string>& file) const {
   std::vector<Assignment> given;
   if (file) given = read_toml_file(*file);
   for (const std::string& setting : settings) given.push_back(read_setting(setting));
-  return resolve_input(given);
+  Input input = resolve_input(given);
+  if (input.flow && !flows)
+    throw InputError(fmt::format("{}: [particles] or [cell] make a flow, which this command does not take; allowed: a pair or bodies",
+                                 file.value_or("--set")));
+  return input;
 }
 
 TableStore Options::store() const {

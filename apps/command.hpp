@@ -24,8 +24,9 @@ struct Options {
   bool json = false, check = false, print_defaults = false, quiet = false;
   bool all_kinds = false, rebuild = false;  ///< of `table`
   bool list = false;                        ///< of `reproduce`
+  bool flows = false;                       ///< takes flows, and not pairs and bodies alone
 
-  /// The input of one file, or of none.
+  /// The input of one file, or of none. Throws InputError for a flow if the command takes none.
   [[nodiscard]] Input input(const std::optional<std::string>& file) const;
   [[nodiscard]] Input input() const { return input(files.empty() ? std::nullopt : std::optional(files.front())); }
   [[nodiscard]] TableStore store() const;

@@ -35,6 +35,15 @@ TEST_F(CommandLine, HelpListsTheSubcommandsAndTheirOptions) {
   }
 }
 
+TEST_F(CommandLine, FlowsAreNoBusinessOfPairs) {
+  for (const char* subcommand : subcommands) {
+    const ProgramRun flow = run({subcommand, "--set", "cell.kind=shear"});
+    EXPECT_EQ(flow.status, 2) << subcommand;
+    EXPECT_EQ(flow.err,
+              "scalebreak: --set: [particles] or [cell] make a flow, which this command does not take; allowed: a pair or bodies\n");
+  }
+}
+
 TEST_F(CommandLine, WhatItDoesNotKnowEndsWithStatusTwo) {
   const std::vector<std::vector<std::string>> wrong = {{},
                                                        {"collapse"},

@@ -102,7 +102,7 @@ TEST(CheckBodies, SpinWithoutAnyLawThatTurnsThem) {
 }
 
 TEST(CheckBodies, MayBeFollowedForATime) {
-  EXPECT_EQ(resolved(two_bodies("[0, 0, 0.01]", "[0, 0, -1]"), {"run.duration=0.25"}).duration, 0.25);
+  EXPECT_EQ(resolved(two_bodies("[0, 0, 0.01]", "[0, 0, -1]"), {"run.duration=0.25"}).run.duration, 0.25);
 }
 
 }  // namespace

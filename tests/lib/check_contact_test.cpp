@@ -63,14 +63,14 @@ TEST(CheckContact, AdhesiveRollingNeedsAContactRadiusAndAdhesion) {
   EXPECT_EQ(
       sentence_for("[contact]\nnormal = \"linear\"\nrolling = \"ar\"\n"),
       "scene.toml, line 3: contact.rolling = \"ar\" needs a contact radius, and contact.normal = \"linear\" has none; allowed: rolling "
-      "= \"none\", \"cdt\", \"epsd\" or \"epsd2\", or normal = \"hertz\" or \"jkr\"");
+      "= \"none\", \"cdt\", \"epsd\", \"epsd2\" or \"sds\", or normal = \"hertz\" or \"jkr\"");
   EXPECT_EQ(
       sentence_for("[contact]\nrolling = \"ar\"\n[material]\nsurface_energy = 0\n"),
       "scene.toml, line 2: contact.rolling = \"ar\" needs adhesion, and the surface_energy between the two spheres is 0; allowed: above "
-      "0, or rolling = \"none\", \"cdt\", \"epsd\" or \"epsd2\"");
+      "0, or rolling = \"none\", \"cdt\", \"epsd\", \"epsd2\" or \"sds\"");
   EXPECT_EQ(sentence_for("[pair]\npartner = \"wall\"\n[wall]\nattraction = false\n", {"contact.rolling=ar"}),
             "--set contact.rolling=ar: contact.rolling = \"ar\" needs adhesion, and the surface_energy between the sphere and a wall with "
-            "attraction = false is 0; allowed: above 0, or rolling = \"none\", \"cdt\", \"epsd\" or \"epsd2\"");
+            "attraction = false is 0; allowed: above 0, or rolling = \"none\", \"cdt\", \"epsd\", \"epsd2\" or \"sds\"");
   EXPECT_EQ(resolved("[contact]\nnormal = \"hertz\"\nrolling = \"ar\"\n").surface.rolling, RollingModel::ar);
   EXPECT_EQ(resolved("[contact]\nrolling = \"ar\"\n[second]\nsurface_energy = 0\n").surface.rolling, RollingModel::ar);
 }

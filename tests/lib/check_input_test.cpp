@@ -25,7 +25,7 @@ TEST(CheckPair, RadiiMatchThePartner) {
 
 TEST(CheckPair, EndsByItself) {
   EXPECT_EQ(sentence_for("[run]\nduration = 1\n"),
-            "scene.toml, line 2: run.duration cannot stand without [[body]]: a pair of [pair] ends by itself");
+            "scene.toml, line 2: run.duration cannot stand without [[body]], [particles] or [cell]: a pair of [pair] ends by itself");
 }
 
 TEST(CheckScaling, AFactorOnTheWrongSideOfOneIsRefused) {

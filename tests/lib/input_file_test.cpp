@@ -106,7 +106,7 @@ spin = [0, 7, 0]
 radius = 1e-3
 material = "material"
 )");
-  EXPECT_EQ(few.duration, 0.5);
+  EXPECT_EQ(few.run.duration, 0.5);
   EXPECT_EQ(few.bodies[0], (Body{.radius = 1e-3, .fixed = true, .second = true}));
   EXPECT_EQ(few.bodies[1], (Body{.position = {0, 0, 0.01}, .velocity = {0, 0, -1}, .spin = {0, 7, 0}, .radius = 1e-3}));
 }
@@ -153,6 +153,14 @@ TEST(InputFile, WritesWhatReadsBackTheSame) {
       "[contact]\nnormal = \"hertz\"\ntangential = \"mindlin\"\nrolling = \"ar\"\n[impact]\ntangential_speed = 0.1\nspin1 = [0, 1e-3, 7]\n",
       "[contact]\nattraction = \"viscous\"\n[material]\nliquid_fraction = 0.03\nseparation_min = 1e-7\n[second]\nliquid_volume = 1e-13\n"
       "separation_min_ratio = 0.01\n[wall]\nseparation_min = 2e-7\n",
+      "[cell]\nkind = \"shear\"\n",
+      "[cell]\nkind = \"shear\"\nsize = [0.01, 0.02, 0.03]\n[particles]\ncount = 500\n[run]\nduration = 0.25\nwarmup_duration = 0\n",
+      "[cell]\nkind = \"couette\"\nwall_no_slip = true\nwall_speed = 2\nsize = [0.1, 0.01, 0.1]\ngravity = [0, 0, -1.5]\n[particles]\n"
+      "volume_fraction = 0.1\nsize = \"gaussian\"\nsize_spread = 0.05\n[scaling]\nlaw = \"sup\"\nfactor = 2\n[run]\nseed = 7\n"
+      "replicas = 3\nstep_fraction = 0.2\nintegrator = \"verlet_synchronized\"\n",
+      "[particles]\nsize = \"bidisperse\"\nlarge_radius = 1e-3\nlarge_mass_fraction = 0.25\n[second]\nyoung = 1e9\n[cell]\nkind = \"box\"\n"
+      "boundary = [\"open\", \"periodic\", \"wall\"]\n[output]\nformats = []\nfields = [\"spin\"]\ninterval = 0.01\n",
+      "[cell]\nkind = \"cooling\"\n[scaling]\nfactor = 3\nkeep = \"cell\"\n[contact]\nrolling = \"sds\"\n",
       "[run]\nduration = 0.3\n[[body]]\nposition = [0, 0, 0.1]\nspin = [1, 2, 3]\nradius = 1e-3\nmaterial = \"second\"\n[[body]]\n"
       "position = [0, 0, 0]\nvelocity = [0, 0, 0.1]\nradius = 2e-3\n[[body]]\nposition = [1, 0, 0]\nradius = 2e-3\nfixed = true\n",
   };
@@ -173,6 +181,25 @@ TEST(InputFile, WritesTheLargestStudyOfTheMostBodiesSoThatItReadsBack) {
   EXPECT_TRUE(resolved(write_input(input)) == input);
 }
 
+TEST(InputFile, WritesTheSectionsOfItsSceneOnly) {
+  const std::string pair = write_input(Input{}), flow = write_input(resolved("[cell]\nkind = \"shear\"\n"));
+  for (const char* text : {"[particles]", "[cell]", "[output]", "[run]", "keep"}) {
+    EXPECT_THAT(pair, testing::Not(HasSubstr(text)));
+    EXPECT_THAT(flow, HasSubstr(text));
+  }
+  for (const char* text : {"[pair]", "[impact]", "[second]"}) {
+    EXPECT_THAT(pair, HasSubstr(text));
+    EXPECT_THAT(flow, testing::Not(HasSubstr(text)));
+  }
+}
+
+TEST(InputFile, AFileOfParticlesReadsBackTheSame) {
+  const tests::TemporaryFolder folder;
+  tests::put_file(folder / "start.xyz", "0\n");
+  const Input input = resolved("[particles]\nfile = \"" + (folder / "start.xyz").string() + "\"\n[second]\nyoung = 1e9\n");
+  EXPECT_TRUE(resolved(write_input(input)) == input) << write_input(input);
+}
+
 TEST(InputFile, DescribesEveryKeyAsTomlOfTheDefaults) {
   const std::string text = describe_keys();
   EXPECT_TRUE(resolved(text) == Input{});
@@ -183,17 +210,26 @@ TEST(InputFile, DescribesEveryKeyAsTomlOfTheDefaults) {
   for (const Key& key : body_keys(0)) EXPECT_THAT(text, HasSubstr(key.meaning + "; allowed: " + key.allowed)) << key.dotted();
 }
 
+TEST(InputFile, DescribesTheKeysOfAFlowAsItsDefaultsInComments) {
+  std::string text = describe_keys(), flow;
+  text.erase(0, text.find("# [particles]\n"));
+  for (std::size_t at = 0; at < text.size(); at = text.find('\n', at) + 1) flow += text.substr(at + 2, text.find('\n', at) - at - 1);
+  EXPECT_TRUE(resolved(flow) == resolved("[cell]\nkind = \"shear\"\n")) << flow;
+}
+
 TEST(InputMessage, UnknownKeyWithASuggestion) {
-  EXPECT_EQ(sentence_for("[material]\nyuong = 1e9\n"),
-            "scene.toml, line 2: material.yuong: there is no such key (did you mean material.young?); allowed: material.young, "
-            "material.poisson, material.density, material.restitution, material.sliding_friction, material.surface_energy, "
-            "material.spring_constant, material.spring_constant_tangential, material.rolling_friction, material.rolling_damping, "
-            "material.rolling_angle_max, material.surface_tension, material.contact_angle, material.viscosity, material.liquid_volume, "
-            "material.liquid_fraction, material.separation_min, material.separation_min_ratio, material.name");
+  EXPECT_EQ(
+      sentence_for("[material]\nyuong = 1e9\n"),
+      "scene.toml, line 2: material.yuong: there is no such key (did you mean material.young?); allowed: material.young, "
+      "material.poisson, material.density, material.restitution, material.sliding_friction, material.surface_energy, "
+      "material.spring_constant, material.spring_constant_tangential, material.rolling_friction, material.rolling_damping, "
+      "material.rolling_angle_max, material.rolling_spring_constant, material.rolling_dashpot, material.surface_tension, material.contact_angle, material.viscosity, material.liquid_volume, "
+      "material.liquid_fraction, material.separation_min, material.separation_min_ratio, material.name");
   EXPECT_THAT(sentence_for("[second]\nsurface_tenson = 1\n"), HasSubstr("(did you mean second.surface_tension?)"));
   EXPECT_THAT(sentence_for("[contact]\nroling = \"cdt\"\n"), HasSubstr("(did you mean contact.rolling?)"));
   EXPECT_EQ(sentence_for("[run]\nduraton = 1\n"),
-            "scene.toml, line 2: run.duraton: there is no such key (did you mean run.duration?); allowed: run.duration");
+            "scene.toml, line 2: run.duraton: there is no such key (did you mean run.duration?); allowed: run.duration, run.strain, "
+            "run.warmup_duration, run.warmup_strain, run.seed, run.step_fraction, run.replicas, run.integrator");
   EXPECT_EQ(sentence_for("", {"pair.radii=[1e-3,1e-3]"}),
             "--set pair.radii=[1e-3,1e-3]: pair.radii: there is no such key (did you mean pair.radius?); allowed: pair.radius, "
             "pair.partner");
@@ -212,11 +248,10 @@ TEST(InputMessage, UnknownKeyUnlikeAnyGetsNoSuggestion) {
 TEST(InputMessage, UnknownSection) {
   EXPECT_EQ(sentence_for("\n\n[materials]\nyoung = 1e9\n"),
             "scene.toml, line 4: materials.young: there is no such section; allowed: material, second, wall, contact, pair, impact, "
-            "scaling, run, study, numerics, body");
-  EXPECT_EQ(
-      sentence_for("young = 1e9\n"),
-      "scene.toml, line 1: young: there is no such section; allowed: material, second, wall, contact, pair, impact, scaling, run, study, "
-      "numerics, body");
+            "particles, cell, scaling, run, output, study, numerics, body");
+  EXPECT_EQ(sentence_for("young = 1e9\n"),
+            "scene.toml, line 1: young: there is no such section; allowed: material, second, wall, contact, pair, impact, particles, cell, "
+            "scaling, run, output, study, numerics, body");
 }
 
 TEST(InputMessage, UnknownKeysBelowAKeyOrABody) {
@@ -292,8 +327,8 @@ TEST(InputMessage, WrongWord) {
             "--set contact.adhesion_range=far: contact.adhesion_range: found \"far\"; allowed: \"full\", \"pull_off\", \"touch\"");
   EXPECT_EQ(sentence_for("[contact]\ntangential = \"coulomb\"\n"),
             "scene.toml, line 2: contact.tangential: found \"coulomb\"; allowed: \"none\", \"linear\", \"mindlin\"");
-  EXPECT_EQ(sentence_for("[contact]\nrolling = \"sds\"\n"),
-            "scene.toml, line 2: contact.rolling: found \"sds\"; allowed: \"none\", \"cdt\", \"epsd\", \"epsd2\", \"ar\"");
+  EXPECT_EQ(sentence_for("[contact]\nrolling = \"sdd\"\n"),
+            "scene.toml, line 2: contact.rolling: found \"sdd\"; allowed: \"none\", \"cdt\", \"epsd\", \"epsd2\", \"ar\", \"sds\"");
   EXPECT_EQ(sentence_for("[contact]\nattraction = \"viscous+capillary\"\n"),
             "scene.toml, line 2: contact.attraction: found \"viscous+capillary\"; allowed: \"none\", \"capillary\", \"viscous\", "
             "\"capillary+viscous\"");

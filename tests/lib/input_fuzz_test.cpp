@@ -82,8 +82,62 @@ spin1 = [1, 2, 3]
 spin2 = [-1e3, 0, 0.1]
 )";
 
+constexpr const char* sheared_flow = R"([particles]
+count = 500
+volume_fraction = 0.2
+size = "gaussian"
+size_spread = 0.1
+[cell]
+kind = "shear"
+shear_rate = 40
+[scaling]
+law = "sup"
+factor = 2
+keep = "cell"
+[run]
+strain = 3
+seed = 4
+[output]
+formats = ["csv", "vtp", "xyz", "dump"]
+)";
+
+constexpr const char* walled_flow = R"([particles]
+radius = 0.5e-3
+size = "bidisperse"
+large_radius = 1e-3
+large_mass_fraction = 0.5
+speed = 0.2
+[second]
+density = 3000
+[cell]
+kind = "couette"
+size = [0.02, 0.01, 0.02]
+boundary = ["periodic", "periodic", "wall"]
+wall_speed = 0.5
+wall_no_slip = true
+gravity = [0, 0, -9.81]
+[run]
+duration = 0.5
+warmup_strain = 1
+step_fraction = 0.2
+integrator = "verlet_synchronized"
+[output]
+interval = 0.01
+fields = ["radius", "spin"]
+)";
+
+constexpr const char* cooling_flow = R"([cell]
+kind = "cooling"
+[particles]
+count = 300
+speed = 0.3
+[contact]
+rolling = "sds"
+)";
+
 std::vector<std::string> seed_texts() {
-  std::vector<std::string> texts = {write_input(Input{}), two_bodies, three_bodies, wet_pair, describe_keys()};
+  std::vector<std::string> texts = {write_input(Input{}), two_bodies,   three_bodies, wet_pair,
+                                    describe_keys(),      sheared_flow, walled_flow,  cooling_flow};
   for (const char* folder : {"scenes", "materials"}) {
     std::vector<fs::path> files;
     for (const auto& entry : fs::directory_iterator(fs::path(SCALEBREAK_SOURCE) / "data" / folder)) files.push_back(entry.path());
@@ -128,7 +182,7 @@ std::string odd_value(Random& random) {
   static const std::vector<std::string> odd = words_of(
       "nan|inf|-inf|-0.0|0|1|1.0000000000000002|-1|1e308|1e999|-1e-320|4.9e-324|99999999999999999999999|0x1f|1_000|1e-9|1e-13|0.5|2|1e3|"
       "1e14|100|0.1|true|false|\"\"|\"rps\"|\"wall\"|\"hertz\"|\"linear\"|\"none\"|\"mindlin\"|\"ar\"|\"viscous\"|\"bridge\"|\"second\"|"
-      "\"glass\"|\"latex\"|\"\\u0000\"|'''x'''|1979-05-27|"
+      "\"glass\"|\"latex\"|\"shear\"|\"couette\"|\"box\"|\"gaussian\"|\"lognormal\"|\"cell\"|0.3|[0.01, 0.02, 0.02]|[\"wall\", \"open\", \"periodic\"]|[\"csv\"]|\"\\u0000\"|'''x'''|1979-05-27|"
       "07:32:00|[]|[[]]|[1e-3]|[1e-3, 2e-3]|[0, 0, 1]|[nan, 1]|[1, \"a\"]|[true]|[\"rps\", \"sup\"]|{}|{a = 1}|velvet||=|\"open|[1, 2|"
       "\xff\xfe|\"\xc3\x28\"");
   const std::size_t depth = 1 + below(random, 600);
@@ -254,7 +308,7 @@ testing::AssertionResult in_bounds(const Input& input, const Key& key) {
 }
 
 struct Tally {
-  int accepted = 0, refused = 0, with_bodies = 0, with_three = 0, against_wall = 0, wet = 0;
+  int accepted = 0, refused = 0, with_bodies = 0, with_three = 0, against_wall = 0, wet = 0, flows = 0;
 };
 
 /// Reads a mutant: refused in a sentence, or an Input that keeps every promise. Anything else fails the test.
@@ -278,6 +332,7 @@ void read(const std::string& text, const std::vector<std::string>& settings, Tal
   tally.with_three += input.bodies.size() > 2;
   tally.wet += input.surface.attraction != Attraction::none;
   tally.against_wall += input.against_wall;
+  tally.flows += input.flow;
   for (const Key& key : keys()) EXPECT_TRUE(in_bounds(input, key));
   for (std::size_t i = 0; i < input.bodies.size(); ++i) {
     for (const Key& key : body_keys(i)) EXPECT_TRUE(in_bounds(input, key));
@@ -307,6 +362,7 @@ TEST_F(InputFuzz, DamagedFilesAndSettingsAreRefusedOrKeepEveryPromise) {
   EXPECT_GT(tally.with_three, 200);
   EXPECT_GT(tally.wet, 200);
   EXPECT_GT(tally.against_wall, 200);
+  EXPECT_GT(tally.flows, 300);
 }
 
 TEST_F(InputFuzz, DamagedMaterialFilesAreRefusedOrKeepEveryPromise) {

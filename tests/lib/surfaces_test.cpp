@@ -15,12 +15,14 @@ constexpr double pi = std::numbers::pi;
 Material first() {
   Material m{.young = 2e9, .poisson = 0.2, .density = 1500, .sliding_friction = 0.4, .surface_energy = 0.01};
   m.spring_constant_tangential = 1e4, m.rolling_friction = 0.1, m.rolling_damping = 0.2, m.rolling_angle_max = 0.01;
+  m.rolling_spring_constant = 1e3, m.rolling_dashpot = 0.02;
   m.surface_tension = 0.03, m.contact_angle = 0.2, m.viscosity = 0.001, m.liquid_volume = 1e-13;
   return m;
 }
 Material second() {
   Material m{.young = 7e9, .poisson = 0.4, .density = 4000, .sliding_friction = 0.9, .surface_energy = 0.05};
   m.spring_constant_tangential = 3e4, m.rolling_friction = 0.4, m.rolling_damping = 0.8, m.rolling_angle_max = 0.04;
+  m.rolling_spring_constant = 9e3, m.rolling_dashpot = 0.08;
   m.surface_tension = 0.07, m.contact_angle = 0.6, m.viscosity = 0.005, m.liquid_volume = 3e-13;
   return m;
 }
@@ -39,6 +41,8 @@ TEST(Surfaces, OfUnlikeSpheresTakeTheMeansThatTheyAreSaidTo) {
   EXPECT_NEAR(pair.rolling_friction, 0.2, 1e-14);
   EXPECT_NEAR(pair.rolling_damping, 0.4, 1e-14);
   EXPECT_NEAR(pair.rolling_angle_max, 0.02, 1e-15);
+  EXPECT_NEAR(pair.rolling_spring_constant, 3e3, 1e-9);
+  EXPECT_NEAR(pair.rolling_dashpot, 0.04, 1e-15);
   EXPECT_NEAR(pair.surface_energy, 0.03, 1e-15);
   EXPECT_NEAR(pair.rolling_inertia * (1 / rolling_inertia(first(), r1) + 1 / rolling_inertia(second(), r2)), 1, 1e-14);  // W eq. 47
   EXPECT_NEAR(pair.surface_tension, 0.05, 1e-15);
@@ -81,6 +85,8 @@ TEST(Surfaces, AgainstAWallHaveTheCoefficientsGivenForIt) {
   EXPECT_EQ(pair.rolling_friction, 0.4);
   EXPECT_EQ(pair.rolling_damping, 0.8);
   EXPECT_EQ(pair.rolling_angle_max, 0.04);
+  EXPECT_EQ(pair.rolling_spring_constant, 9e3);
+  EXPECT_EQ(pair.rolling_dashpot, 0.08);
   EXPECT_NEAR(pair.rolling_inertia / rolling_inertia(first(), r), 1, 1e-14);
   EXPECT_NEAR(pair.surface_tension, 0.05, 1e-15);
   EXPECT_NEAR(pair.separation_min, 0.0005 * r, 1e-18);
@@ -98,10 +104,10 @@ TEST(Surfaces, AgainstAWallWithoutAttractionAreDryAndDoNotStick) {
 }
 
 /// One row: what a law does to the rolling angle, the liquid beside either normal contact, the torque of adhesive rolling once
-/// the material is scaled, and in the map to torques.
+/// the material is scaled, in the map to torques, and to the rolling spring of `sds` beside a non-linear contact.
 struct Row {
   const char* law;
-  double factor, spring_tangential, angle, liquid, liquid_linear, adhesive_rolling, torque;
+  double factor, spring_tangential, angle, liquid, liquid_linear, adhesive_rolling, torque, rolling_spring = spring_tangential;
 };
 
 class SurfaceScaling : public testing::TestWithParam<Row> {};
@@ -117,6 +123,9 @@ TEST_P(SurfaceScaling, HasTheRowOfThePapers) {
     EXPECT_NEAR(scaled.surface_tension / original.surface_tension / liquid, 1, 1e-14);
     EXPECT_NEAR(scaled.viscosity / original.viscosity / liquid, 1, 1e-14);
     EXPECT_NEAR(scaled.rolling_angle_max / original.rolling_angle_max / row.angle, 1, 1e-14);
+    EXPECT_NEAR(scaled.rolling_dashpot / original.rolling_dashpot / liquid, 1, 1e-14);
+    const double spring = normal == NormalModel::linear ? row.spring_tangential : row.rolling_spring;
+    EXPECT_NEAR(scaled.rolling_spring_constant / original.rolling_spring_constant / spring, 1, 1e-14);
     EXPECT_NEAR(scaled.spring_constant_tangential / original.spring_constant_tangential / row.spring_tangential, 1, 1e-14);
     EXPECT_EQ(scaled.rolling_friction, original.rolling_friction);
     EXPECT_EQ(scaled.rolling_damping, original.rolling_damping);
@@ -127,15 +136,15 @@ TEST_P(SurfaceScaling, HasTheRowOfThePapers) {
   EXPECT_NEAR(std::pow(row.factor, law->torque) / row.torque, 1, 1e-14);
 }
 
-INSTANTIATE_TEST_SUITE_P(Rows, SurfaceScaling,
-                         testing::Values(Row{"none", 0.25, 0.25, 1, 1, 1, 1, 1}, Row{"none", 4, 1, 1, 1, 1, 1, 1},
-                                         Row{"rps", 0.25, 0.25, std::pow(4, 0.4), std::pow(0.25, 0.4), 0.5, std::pow(0.25, 0.4), 1},
-                                         Row{"sup", 4, 1, 1, 1, 1, 1, 16}, Row{"overlap_kept", 4, 1, 1, 1, 1, 1, 16},
-                                         Row{"force_cubed", 4, 1, 1, 1, 1, 1, 64}, Row{"torque_cubed", 4, 1, 1, 1, 1, 1, 64},
-                                         Row{"sakai", 4, 1, 1, 1, 1, 1, 256}, Row{"chen_elliott", 4, 1, 1, 1, 1, 1, 1},
-                                         Row{"bond", 4, 1, 1, 1, 1, 1, 1}, Row{"cohesion", 4, 1, 1, 1, 1, 1, 1},
-                                         Row{"thakur", 4, 4, 1, 1, 1, 1, 1}),
-                         [](const auto& test) { return std::string(test.param.law) + (test.param.factor < 1 ? "_softer" : "_larger"); });
+INSTANTIATE_TEST_SUITE_P(
+    Rows, SurfaceScaling,
+    testing::Values(Row{"none", 0.25, 0.25, 1, 1, 1, 1, 1}, Row{"none", 4, 1, 1, 1, 1, 1, 1},
+                    Row{"rps", 0.25, 0.25, std::pow(4, 0.4), std::pow(0.25, 0.4), 0.5, std::pow(0.25, 0.4), 1, std::pow(0.25, 0.8)},
+                    Row{"sup", 4, 1, 1, 1, 1, 1, 16}, Row{"overlap_kept", 4, 1, 1, 1, 1, 1, 16}, Row{"force_cubed", 4, 1, 1, 1, 1, 1, 64},
+                    Row{"torque_cubed", 4, 1, 1, 1, 1, 1, 64}, Row{"sakai", 4, 1, 1, 1, 1, 1, 256},
+                    Row{"chen_elliott", 4, 1, 1, 1, 1, 1, 1}, Row{"bond", 4, 1, 1, 1, 1, 1, 1}, Row{"cohesion", 4, 1, 1, 1, 1, 1, 1},
+                    Row{"thakur", 4, 4, 1, 1, 1, 1, 1}),
+    [](const auto& test) { return std::string(test.param.law) + (test.param.factor < 1 ? "_softer" : "_larger"); });
 
 /// W Table 4: with E Ω, γ Ω^{2/5} and θ_max Ω^{−2/5} alone the limit of adhesive rolling would not change at a given a/a_0; it
 /// has to fall as the other torques do.

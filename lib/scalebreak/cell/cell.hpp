@@ -4,10 +4,9 @@
 
 #include <Eigen/Core>
 
-namespace scalebreak {
+#include <scalebreak/cell/boundary.hpp>
 
-/// What lies at the two faces of the cell along an axis.
-enum class Boundary { open, periodic, wall };
+namespace scalebreak {
 
 /// The place of a flow: a box with its lower corner at the origin. Flow is along x, the gradient along z, vorticity along y.
 ///

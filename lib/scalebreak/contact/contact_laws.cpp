@@ -1,11 +1,18 @@
 #include <scalebreak/contact/contact_laws.hpp>
 
+#include <algorithm>
+
 namespace scalebreak {
 
 bool ContactLaws::needs_overlap_root() const {
   if (std::holds_alternative<Hertz<double>>(normal)) return false;
   if (std::holds_alternative<Jkr<double, DampingOn::overlap>>(normal)) return true;
   return (tangential.model == TangentialModel::mindlin && tangential.on_overlap) || rolling.on_overlap();
+}
+
+double ContactLaws::reach() const {
+  const double stretched = std::visit([](const auto& law) { return -law.overlap(law.separation()); }, normal);
+  return std::max({stretched, liquid.bridges() ? liquid.rupture : 0.0, 0.0});
 }
 
 ContactLaws contact_laws(const ContactKind& kind, const SurfaceKind& surface, const NormalPair& pair, const SurfacePair& surfaces,

@@ -21,6 +21,8 @@ struct ContactLaws {
   [[nodiscard]] bool uses_load() const { return tangential.acts() || (rolling.acts() && rolling.model != RollingModel::ar); }
   /// Is a law smooth in δ^{1/4} and not in the normal law's own coordinate? A Hertz contact has both in one.
   [[nodiscard]] bool needs_overlap_root() const;
+  /// How far apart the surfaces can be and still act on each other: at the end of an adhesive contact, or of a bridge [m].
+  [[nodiscard]] double reach() const;
 };
 
 /// The kind must suit the pair (see effective_kind). `adhesive_rolling` multiplies the torque of adhesive rolling.

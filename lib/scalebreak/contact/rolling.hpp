@@ -16,13 +16,14 @@ namespace scalebreak {
 ///     epsd:  dM = k_r dθ with k_r = 2.25 k_n μ_r² R*², k_n = 4/3 E* y² or the linear contact's, and a dashpot
 ///            2η_r √(I_r k_r) while |M| is below its limit μ_r R* F_N       (Washino et al. 2024, eqs 42–47)
 ///     epsd2: dM = k_r dθ with k_r = 8G* y² R*² (linear contact: k_t R*²), limited to μ_r R* F_N   (Hu 2024, eqs 2.47–2.50)
+///     sds:   M = k_r R*² θ + γ_r R*² θ̇, spring and dashpot limited to μ_r R* F_N (LAMMPS' `rolling sds`, after Luding 2008)
 ///     ar:    M = 4F_po R* (a/a_0)^{3/2} θ = 4√(πγE*) R* y³ θ, limited by |θ| ≤ θ_max      (Washino et al. 2024, eqs 48–53)
 template <class T>
 struct RollingOf {
   RollingModel model = RollingModel::none;
   bool linear = false;  ///< k_r does not depend on the contact
   T stiffness = 0;      ///< k_r, or what multiplies y² (y³ for `ar`) in it
-  T dashpot = 0;        ///< what multiplies √k_r
+  T dashpot = 0;        ///< what multiplies √k_r; γ_r R*² of `sds`
   T limit = 0;          ///< μ_r R*, or θ_max
 
   /// `adhesive_rolling` multiplies the torque of `ar`: a scaling law may ask for it.
@@ -42,6 +43,10 @@ struct RollingOf {
         law.stiffness = adhesive_rolling * 4 * std::sqrt(std::numbers::pi * surfaces.surface_energy * pair.young) * pair.radius;
         law.limit = surfaces.rolling_angle_max;
         break;
+      case RollingModel::sds:
+        law.stiffness = surfaces.rolling_spring_constant * square;
+        law.dashpot = surfaces.rolling_dashpot * square;
+        break;
     }
     return law;
   }
@@ -59,7 +64,10 @@ struct RollingOf {
       const T y = point.root, k = stiffness * y * y * y;
       return {.stiffness = k, .limit = k * limit};
     }
-    SliderLawOf<T> law{.limit = limit * point.load, .incremental = true};
+    SliderLawOf<T> law{.stiffness = stiffness, .damping = dashpot, .limit = limit * point.load};
+    law.dashpot_is_limited = model == RollingModel::sds;
+    if (model == RollingModel::sds) return law;
+    law.incremental = true;
     if (rigid()) return law;
     const T y = linear ? T(1) : point.overlap_root;
     law.stiffness = stiffness * y * y;

@@ -17,9 +17,10 @@ const char* to_string(RollingModel model) {
     case RollingModel::cdt: return "cdt";
     case RollingModel::epsd: return "epsd";
     case RollingModel::epsd2: return "epsd2";
-    case RollingModel::ar: break;
+    case RollingModel::ar: return "ar";
+    case RollingModel::sds: break;
   }
-  return "ar";
+  return "sds";
 }
 
 const char* to_string(Attraction attraction) {

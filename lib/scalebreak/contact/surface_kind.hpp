@@ -9,8 +9,9 @@ namespace scalebreak {
 /// The tangential force law: none, a constant spring, or Mindlin's, which grows with the contact.
 enum class TangentialModel { none, linear, mindlin };
 
-/// The rolling resistance: constant directional torque, the two elastic–plastic springs, adhesive rolling.
-enum class RollingModel { none, cdt, epsd, epsd2, ar };
+/// The rolling resistance: constant directional torque, the two elastic–plastic springs, adhesive rolling, and a spring, dashpot
+/// and slider of constant coefficients.
+enum class RollingModel { none, cdt, epsd, epsd2, ar, sds };
 
 /// The liquid's forces.
 enum class Attraction { none, capillary, viscous, capillary_viscous };

@@ -13,9 +13,11 @@ struct Material {
   double spring_constant = 8.1e4;  ///< of the linear contact of two such spheres [N/m]
 
   double spring_constant_tangential = 8.1e4;  ///< of their linear tangential contact [N/m]
-  double rolling_friction = 0.1;              ///< μ_r of cdt, epsd and epsd2 [-]
+  double rolling_friction = 0.1;              ///< μ_r of cdt, epsd, epsd2 and sds [-]
   double rolling_damping = 0.1;               ///< η_r of epsd [-]
   double rolling_angle_max = 0.01;            ///< θ_max of adhesive rolling [rad]
+  double rolling_spring_constant = 8.1e4;     ///< k_r of sds, force over displacement [N/m]
+  double rolling_dashpot = 0.06;              ///< γ_r of sds, force over speed; a tenth of the critical one of two such spheres [N s/m]
 
   // The liquid; the defaults are those of Washino et al. 2024, Table 6.
   double surface_tension = 0.07;         ///< [N/m]

@@ -14,7 +14,7 @@ struct NormalPair {
   double damping_ratio;    ///< β of the restitution [-]
 };
 
-/// What else the contact of two bodies depends on, SI. Coefficients of unlike spheres are geometric means, linear
+/// What else the contact of two bodies depends on, SI. Coefficients of unlike spheres are geometric means, those of `sds` too; linear
 /// springs act in series, of the liquid's properties the means are taken; coefficients given for a wall are the pair's.
 struct SurfacePair {
   double shear;                       ///< G* [Pa]
@@ -23,6 +23,8 @@ struct SurfacePair {
   double rolling_friction;            ///< [-]
   double rolling_damping;             ///< [-]
   double rolling_angle_max;           ///< [rad]
+  double rolling_spring_constant;     ///< [N/m]
+  double rolling_dashpot;             ///< [N s/m]
   double surface_energy;              ///< γ of ONE surface, for adhesive rolling [J/m²]; 0 against a wall without attraction
   double rolling_inertia;             ///< I_r, 1/I_r = Σ 1/(I + m r²) (Washino et al. 2024, eq. 47) [kg m²]
   double surface_tension;             ///< [N/m]; 0 where no bridge forms

@@ -77,6 +77,10 @@ Material scaled_material(const ScalingLaw& law, double factor, Material material
   const double liquid = std::pow(factor, normal == NormalModel::linear ? law.liquid_linear : law.liquid);
   material.surface_tension *= liquid;
   material.viscosity *= liquid;
+  // A law that multiplies every force and every inverse time by one number multiplies force over speed by it and force over length by
+  // its square; the others treat the rolling spring as they do the linear ones.
+  material.rolling_dashpot *= liquid;
+  material.rolling_spring_constant *= liquid != 1 ? liquid * liquid : std::pow(factor, law.spring_constant);
   return material;
 }
 

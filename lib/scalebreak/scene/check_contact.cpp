@@ -2,17 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 
 #include <scalebreak/base/error.hpp>
 #include <scalebreak/material/pair.hpp>
 #include <scalebreak/scene/check_bodies.hpp>
+#include <scalebreak/scene/sphere_sizes.hpp>
 
 namespace scalebreak {
 namespace {
 
-constexpr const char* other_rolling = "rolling = \"none\", \"cdt\", \"epsd\" or \"epsd2\"";
+constexpr const char* other_rolling = "rolling = \"none\", \"cdt\", \"epsd\", \"epsd2\" or \"sds\"";
 
 /// A word of [contact] that does not go with the rest: contact.KEY = "WORD" needs NEEDS, and BUT; allowed: ALLOWED.
 struct Refusal {
@@ -47,7 +49,31 @@ struct Meeting {
   std::string who;
 };
 
+/// Of a flow its smallest spheres, as far as they are known before a particle file is read.
+std::vector<Meeting> flow_meetings(const Input& input) {
+  const Particles& particles = input.particles;
+  const bool two = particles.size == SizeKind::bidisperse;
+  const double small = size_range(particles, {input.material.density, input.second.density}).least,
+               large = two ? particles.large_radius : small;
+  std::vector<Meeting> all = {
+      {sphere_surfaces(input.material, small, input.material, small), small, two ? "two small spheres" : "two spheres"}};
+  if (two) {
+    all.push_back({sphere_surfaces(input.material, small, input.second, large), small, "a small sphere and a large one"});
+    all.push_back({sphere_surfaces(input.second, large, input.second, large), large, "two large spheres"});
+  }
+  if (std::find(input.cell.boundary.begin(), input.cell.boundary.end(), Boundary::wall) != input.cell.boundary.end() &&
+      input.wall.attraction) {
+    all.push_back({wall_surfaces(input.material, small, input.wall), small, two ? "a small sphere and a wall" : "a sphere and a wall"});
+    if (two) all.push_back({wall_surfaces(input.second, large, input.wall), large, "a large sphere and a wall"});
+  }
+  if (!particles.file.empty()) {
+    for (Meeting& meeting : all) meeting.radius = std::numeric_limits<double>::infinity();
+  }
+  return all;
+}
+
 std::vector<Meeting> meetings(const Input& input) {
+  if (input.flow) return flow_meetings(input);
   if (!input.bodies.empty()) {
     std::vector<Meeting> all;
     for (const auto& [i, j] : meeting_pairs(input)) {

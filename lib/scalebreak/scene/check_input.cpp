@@ -9,6 +9,7 @@
 #include <scalebreak/scene/alternatives.hpp>
 #include <scalebreak/scene/check_bodies.hpp>
 #include <scalebreak/scene/check_contact.hpp>
+#include <scalebreak/scene/check_flow.hpp>
 
 namespace scalebreak {
 namespace {
@@ -16,7 +17,8 @@ namespace {
 void check_pair(Input& input, const Given& given) {
   for (const Assignment& item : given) {
     if (item.key.rfind("run.", 0) == 0)
-      throw InputError(fmt::format("{}: {} cannot stand without [[body]]: a pair of [pair] ends by itself", item.where.text, item.key));
+      throw InputError(fmt::format("{}: {} cannot stand without [[body]], [particles] or [cell]: a pair of [pair] ends by itself",
+                                   item.where.text, item.key));
   }
   const bool radius_given = find_given(given, "pair.radius") != nullptr;
   if (input.against_wall && !radius_given) input.radius.resize(1);
@@ -48,13 +50,22 @@ void check_scaling(const Input& input, const Given& given) {
 }  // namespace
 
 void complete_and_check(Input& input, const Given& given) {
-  const bool pair = input.bodies.empty();
-  if (!pair) check_bodies_are_whole(input, given);
+  input.flow = begins_flow(given);
+  const bool bodies = !input.bodies.empty();
+  if (input.flow) {
+    check_flow_is_whole(input, given);
+  } else if (bodies) {
+    check_bodies_are_whole(input, given);
+  }
   for (const char* section : {"material", "second", "wall"}) check_alternatives(section, given);
   check_contact(input, given);
-  pair ? check_pair(input, given) : check_bodies(input, given);
-  check_surfaces(input, given);
+  if (!input.flow) {
+    refuse_flow_keys(given);
+    bodies ? check_bodies(input, given) : check_pair(input, given);
+  }
   check_scaling(input, given);
+  if (input.flow) complete_and_check_flow(input, given);
+  check_surfaces(input, given);
 }
 
 }  // namespace scalebreak

@@ -9,6 +9,7 @@
 #include <scalebreak/contact/surface_kind.hpp>
 #include <scalebreak/material/material.hpp>
 #include <scalebreak/scaling/scaled_pair.hpp>
+#include <scalebreak/scene/flow_input.hpp>
 
 namespace scalebreak {
 
@@ -36,10 +37,15 @@ struct Input {
   double normal_speed = 0.1;
   double tangential_speed = 0;
   Eigen::Vector3d spin1{0, 0, 0}, spin2{0, 0, 0};
-  std::vector<Body> bodies;  ///< none: then [pair] and [impact] hold
-  double duration = 0;       ///< of a few-body run; 0: until the bodies have parted for good, or rest in contact
+  std::vector<Body> bodies;  ///< none: then [pair] and [impact] hold, unless this is a flow
+  bool flow = false;         ///< [particles] or [cell] are given: they hold, with [output]
+  Particles particles;
+  CellInput cell;
+  RunInput run;
+  OutputInput output;
   std::string scaling_law = "none";
   double scaling_factor = 1;
+  Keep keep = Keep::count;              ///< of a flow under a law that enlarges
   std::vector<std::string> study_laws;  ///< empty: all that suit the contact
   std::vector<double> study_factors = {0.1, 0.01, 0.0001, 2, 4, 8};
   std::vector<double> study_speeds;  ///< empty: about the sticking speed

@@ -8,6 +8,7 @@
 #include <scalebreak/base/error.hpp>
 #include <scalebreak/scene/alternatives.hpp>
 #include <scalebreak/scene/check_bodies.hpp>
+#include <scalebreak/scene/check_flow.hpp>
 #include <scalebreak/scene/check_input.hpp>
 #include <scalebreak/scene/keys.hpp>
 #include <scalebreak/scene/materials.hpp>
@@ -133,9 +134,11 @@ std::vector<Body> blank_bodies(std::size_t count) {
   return bodies;
 }
 
-/// Keys that stand beside [[body]] only, or without them only, and those of a material that another one overrules.
+/// Keys of other scenes, what nothing uses, and those of a material that another one overrules.
 bool left_out(const Key& key, const Input& input) {
-  if (key.section == "run") return input.bodies.empty();
+  if (input.flow && !holds_in_flow(input, key.dotted())) return true;
+  if (!input.flow && of_flow_only(key.dotted())) return true;
+  if (!input.flow && key.section == "run") return input.bodies.empty();
   if (key.section == "pair" || key.section == "impact") return !input.bodies.empty();
   return is_material(key.section) && overruled(material_of(key.section, const_cast<Input&>(input)), key.name);
 }
@@ -224,15 +227,25 @@ std::string describe_keys() {
   text +=
       fmt::format("\n# {} to {} [[body]] tables may stand in place of [pair] and [impact], and [run] beside them; {} have no default.\n",
                   fewest_bodies, most_bodies, fmt::join(required_body_keys, " and "));
-  defaults.bodies.resize(1);
-  std::vector<Key> beside = body_keys(0);
-  std::copy_if(keys().begin(), keys().end(), std::back_inserter(beside), [](const Key& key) { return key.section == "run"; });
-  for (const Key& key : beside) {
-    const bool body = key.section == "body";
-    if (key.section != section) text += body ? "# [[body]]\n" : "# [run]\n";
+  const auto commented = [&](const Key& key, const std::string& value) {
+    if (key.section != section) text += key.section == "body" ? "# [[body]]\n" : fmt::format("# [{}]\n", key.section);
     section = key.section;
-    const bool required = body && std::count(std::begin(required_body_keys), std::end(required_body_keys), key.name) > 0;
-    line("# ", key, required ? "" : to_toml(key.get(defaults)));
+    line("# ", key, value);
+  };
+  defaults.bodies.resize(1);
+  for (const Key& key : body_keys(0)) {
+    const bool required = std::count(std::begin(required_body_keys), std::end(required_body_keys), key.name) > 0;
+    commented(key, required ? "" : to_toml(key.get(defaults)));
+  }
+  commented(*find_key("run.duration"), to_toml(find_key("run.duration")->get(defaults)));
+  text +=
+      "\n# [particles] or [cell] in place of [pair] and [impact] make a flow, with [run], [output] and scaling.keep beside them. couette has\n"
+      "# walls along z and wall_speed = 0.3, box walls all around; where nothing is sheared duration = 0.1 and there is no strain; in a cell\n"
+      "# with walls keep = \"cell\". These are the defaults of kind = \"shear\":\n";
+  section.clear();
+  const Input flow = resolve_input({{"cell.kind", std::string("shear"), {"the defaults"}}});
+  for (const Key& key : keys()) {
+    if (of_flow_only(key.dotted()) || key.section == "run") commented(key, to_toml(key.get(flow)));
   }
   return text;
 }

@@ -73,6 +73,22 @@ Key vector3(const std::string& section, const std::string& name, const std::stri
           }};
 }
 
+Key whole_number(const std::string& section, const std::string& name, const std::string& meaning, Member<std::uint64_t> member) {
+  const Bounds bounds = bounds_of(section + "." + name);
+  return {section,
+          name,
+          "-",
+          meaning,
+          "a whole number " + bounds.text(),
+          [=](Input& input, const Value& value) {
+            const double given = expect<double>(value);
+            check(bounds, {given}, value);
+            if (given != std::floor(given)) throw found(value);
+            member(input) = static_cast<std::uint64_t>(given);
+          },
+          [=](const Input& input) { return Value(static_cast<double>(member(const_cast<Input&>(input)))); }};
+}
+
 Key flag(const std::string& section, const std::string& name, const std::string& meaning, Member<bool> member) {
   return {section,
           name,
@@ -96,6 +112,33 @@ Key choice(const std::string& section, const std::string& name, const std::strin
             put(input, static_cast<std::size_t>(at - words.begin()));
           },
           [=](const Input& input) { return Value(words[take(input)]); }};
+}
+
+Key choices(const std::string& section, const std::string& name, const std::string& meaning, std::vector<std::string> words,
+            std::size_t least, std::size_t most, std::function<void(Input&, const std::vector<std::size_t>&)> put,
+            std::function<std::vector<std::size_t>(const Input&)> take) {
+  return {section,
+          name,
+          "-",
+          meaning,
+          fmt::format("an array of {}\"{}\"", least == most ? fmt::format("{} of ", least) : "", fmt::join(words, "\", \"")),
+          [=](Input& input, const Value& value) {
+            const auto* none = std::get_if<std::vector<double>>(&value);  // how an empty array is read
+            const auto given = none && none->empty() ? std::vector<std::string>{} : expect<std::vector<std::string>>(value);
+            if (given.size() < least || given.size() > most) throw found(value);
+            std::vector<std::size_t> indices;
+            for (const std::string& word : given) {
+              const auto at = std::find(words.begin(), words.end(), word);
+              if (at == words.end()) throw found(value);
+              indices.push_back(static_cast<std::size_t>(at - words.begin()));
+            }
+            put(input, indices);
+          },
+          [=](const Input& input) {
+            std::vector<std::string> taken;
+            for (const std::size_t index : take(input)) taken.push_back(words[index]);
+            return Value(taken);
+          }};
 }
 
 }  // namespace scalebreak

@@ -30,6 +30,10 @@ const T& expect(const Value& value) {
 [[nodiscard]] Key vector3(const std::string& section, const std::string& name, const std::string& unit, const std::string& meaning,
                           Member<Eigen::Vector3d> member);
 
+/// A number without a fraction.
+[[nodiscard]] Key whole_number(const std::string& section, const std::string& name, const std::string& meaning,
+                               Member<std::uint64_t> member);
+
 /// true or false.
 [[nodiscard]] Key flag(const std::string& section, const std::string& name, const std::string& meaning, Member<bool> member);
 
@@ -37,7 +41,12 @@ const T& expect(const Value& value) {
 [[nodiscard]] Key choice(const std::string& section, const std::string& name, const std::string& meaning, std::vector<std::string> words,
                          std::function<void(Input&, std::size_t)> put, std::function<std::size_t(const Input&)> take);
 
-/// The same for an enumerator of a part of the input, in the order of its enumeration.
+/// An array of `least` to `most` words out of a list; `put` takes their indices, `take` gives them.
+[[nodiscard]] Key choices(const std::string& section, const std::string& name, const std::string& meaning, std::vector<std::string> words,
+                          std::size_t least, std::size_t most, std::function<void(Input&, const std::vector<std::size_t>&)> put,
+                          std::function<std::vector<std::size_t>(const Input&)> take);
+
+/// The same as `choice` for an enumerator of a part of the input, in the order of its enumeration.
 template <class Part, class Enum>
 Key choice_of(const std::string& section, const std::string& name, const std::string& meaning, std::vector<std::string> words,
               Part Input::*part, Enum Part::*member) {

@@ -2,9 +2,7 @@
 
 #include <algorithm>
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
+#include <scalebreak/scene/flow_keys.hpp>
 #include <scalebreak/scene/key_makers.hpp>
 
 namespace scalebreak {
@@ -31,9 +29,11 @@ constexpr MaterialKey material_keys[] = {
     {"surface_energy", "J/m2", "surface energy of ONE surface; the work of adhesion is twice this", &Material::surface_energy},
     {"spring_constant", "N/m", "spring constant of the linear contact", &Material::spring_constant},
     {"spring_constant_tangential", "N/m", "spring constant of the linear tangential contact", &Material::spring_constant_tangential},
-    {"rolling_friction", "-", "coefficient of rolling friction (cdt, epsd, epsd2)", &Material::rolling_friction, true},
+    {"rolling_friction", "-", "coefficient of rolling friction (cdt, epsd, epsd2, sds)", &Material::rolling_friction, true},
     {"rolling_damping", "-", "damping ratio of rolling (epsd)", &Material::rolling_damping, true},
     {"rolling_angle_max", "rad", "angle at which adhesive rolling yields (ar)", &Material::rolling_angle_max, true},
+    {"rolling_spring_constant", "N/m", "force over displacement of the rolling spring (sds)", &Material::rolling_spring_constant, true},
+    {"rolling_dashpot", "N s/m", "force over speed of the rolling dashpot (sds)", &Material::rolling_dashpot, true},
     {"surface_tension", "N/m", "surface tension of the liquid (capillary)", &Material::surface_tension},
     {"contact_angle", "rad", "contact angle of the liquid", &Material::contact_angle},
     {"viscosity", "Pa s", "viscosity of the liquid (viscous)", &Material::viscosity},
@@ -64,7 +64,7 @@ void add_contact(std::vector<Key>& list) {
       &SurfaceKind::tangential_radius);
   add("torque_arm", "lever of the tangential force: the radius, or the distance to the contact point", {"radius", "contact"},
       &Input::surface, &SurfaceKind::torque_arm);
-  add("rolling", "rolling resistance", {"none", "cdt", "epsd", "epsd2", "ar"}, &Input::surface, &SurfaceKind::rolling);
+  add("rolling", "rolling resistance", {"none", "cdt", "epsd", "epsd2", "ar", "sds"}, &Input::surface, &SurfaceKind::rolling);
   add("attraction", "forces of the liquid", {"none", "capillary", "viscous", "capillary+viscous"}, &Input::surface,
       &SurfaceKind::attraction);
   add("attraction_range", "where they act: while the solids touch, or from first touch until the bridge ruptures", {"contact", "bridge"},
@@ -94,6 +94,8 @@ std::vector<Key> make_keys() {
                          [](Input& input) -> Eigen::Vector3d& { return input.spin1; }));
   list.push_back(vector3("impact", "spin2", "rad/s", "spin of the second body, about its centre",
                          [](Input& input) -> Eigen::Vector3d& { return input.spin2; }));
+  add_particles(list);
+  add_cell(list);
   const auto names = law_names();
   list.push_back(choice(
       "scaling", "law", "scaling law", names, [names](Input& input, std::size_t i) { input.scaling_law = names[i]; },
@@ -102,19 +104,25 @@ std::vector<Key> make_keys() {
       }));
   list.push_back(number("scaling", "factor", "-", "stiffness ratio (at most 1) or size ratio (at least 1), as the law has it",
                         [](Input& input) -> double& { return input.scaling_factor; }));
-  list.push_back(number("run", "duration", "s", "time for which bodies are followed; 0: until they have parted for good or rest in contact",
-                        [](Input& input) -> double& { return input.duration; }));
-  list.push_back({"study", "laws", "-", "scaling laws to compare; empty: all that suit the contact",
-                  fmt::format("an array of \"{}\"", fmt::join(names, "\", \"")),
-                  [names](Input& input, const Value& value) {
-                    if (const auto* empty = std::get_if<std::vector<double>>(&value); empty && empty->empty())
-                      return input.study_laws.clear();
-                    for (const std::string& name : expect<std::vector<std::string>>(value)) {
-                      if (std::find(names.begin(), names.end(), name) == names.end()) throw found(value);
-                    }
-                    input.study_laws = std::get<std::vector<std::string>>(value);
-                  },
-                  [](const Input& input) { return Value(input.study_laws); }});
+  list.push_back(choice(
+      "scaling", "keep",
+      "of a flow under a law that enlarges: the same count in a cell larger by factor, or the same cell with count / factor^3",
+      words_of(keep_words), [](Input& input, std::size_t i) { input.keep = static_cast<Keep>(i); },
+      [](const Input& input) { return static_cast<std::size_t>(input.keep); }));
+  add_run(list);
+  add_output(list);
+  list.push_back(choices(
+      "study", "laws", "scaling laws to compare; empty: all that suit the contact", names, 0, 1000,
+      [names](Input& input, const std::vector<std::size_t>& chosen) {
+        input.study_laws.clear();
+        for (const std::size_t i : chosen) input.study_laws.push_back(names[i]);
+      },
+      [names](const Input& input) {
+        std::vector<std::size_t> chosen;
+        for (const std::string& name : input.study_laws)
+          chosen.push_back(static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin()));
+        return chosen;
+      }));
   list.push_back(numbers("study", "factors", "-", "factors to compare; each law takes those on its side of 1", 1, 1000,
                          [](Input& input) -> std::vector<double>& { return input.study_factors; }));
   list.push_back(numbers("study", "speeds", "m/s", "impact speeds; empty: about the sticking speed", 0, 1000,

@@ -30,7 +30,7 @@ double interval(const std::vector<MotionRecord::Change>& changes, double end, in
 MotionRecord record_motion(const Input& input, int points) {
   const MovingScene scene = moving_scene(input);
   MotionRecord record;
-  MotionOptions options{.tolerance = input.tolerance, .duration = input.duration};
+  MotionOptions options{.tolerance = input.tolerance, .duration = input.run.duration};
   options.on_change = [&](double time, int first, int second, ContactChange what) {
     record.changes.push_back({time, first, second, what});
   };

@@ -181,7 +181,7 @@ SceneCollision resolve_collision(const Input& input) {
   if (result.head_on) {
     resolve_head_on(input, scene, result);
   } else {
-    result.motion = scene.move({.tolerance = input.tolerance, .duration = input.duration, .find_max_force = true});
+    result.motion = scene.move({.tolerance = input.tolerance, .duration = input.run.duration, .find_max_force = true});
     result.after = result.motion.bodies;
     if (result.motion.resting && scene.bodies.size() == 2) {
       result.after = common_motion(result.after, input.surface.spins());

@@ -225,7 +225,7 @@ CaseResult run_three_particles(const Input& input, const std::function<void(doub
   const std::vector<CaseSystem> systems = case_systems(input);
   const bool with_rolling = input.surface.rolling != RollingModel::none;
   const Characteristic unit = characteristic(input, moving_scene(input), systems.front());
-  const double duration = input.duration / unit.time;
+  const double duration = input.run.duration / unit.time;
   Input rolls_freely = input;
   rolls_freely.surface.rolling = RollingModel::none;
 
@@ -280,7 +280,7 @@ CaseResult run_three_particles(const Input& input, const std::function<void(doub
           "spheres meet at the same dimensionless times at every stiffness. Middle and bottom approach each other at once; the top sphere "
           "begins to press when the middle one has been slowed down."),
       fmt::format("Every system is followed to dimensionless time {:.4g} ({:.4g} s of the original), and measured by its own stiffness.",
-                  duration, input.duration)};
+                  duration, input.run.duration)};
   const auto rps = std::find_if(curves.begin(), curves.end(), [](const MiddleCurve& c) { return c.system.law->name == "rps" && !c.lost; });
   if (rps != curves.end())
     result.notes.push_back(fmt::format(
