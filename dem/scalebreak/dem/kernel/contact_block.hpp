@@ -1,5 +1,7 @@
 // Included once per instruction set, inside that set's namespace (see kernel_*.cpp).
 
+#include "lanes.hpp"
+
 /// So many contacts are worked on at a time, law by law: all that is known of them lies in the first-level cache.
 inline constexpr std::uint32_t block_size = 32;
 

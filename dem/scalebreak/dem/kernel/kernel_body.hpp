@@ -1,7 +1,6 @@
 // Included once per instruction set, inside that set's namespace (see kernel_*.cpp).
 
 #include "contact_block.hpp"
-#include "lanes.hpp"
 
 /// A normal law as packs, and what it is in the rows.
 template <template <class> class Law>
