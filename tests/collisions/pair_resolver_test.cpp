@@ -70,6 +70,10 @@ double slide_ratio(const PairImpact& impact) {
   return (v - impact.normal * v.dot(impact.normal)).norm() / normal_speed(impact);
 }
 
+double centres_ratio(const PairImpact& impact) {
+  return (impact.velocity[0] - impact.velocity[1]).cross(impact.normal).norm() / normal_speed(impact);
+}
+
 double difference(const PairOutcome& a, const PairOutcome& b, const PairImpact& impact) {
   double largest = 0;
   for (std::size_t i = 0; i < 2; ++i)
@@ -95,9 +99,11 @@ TEST_P(Resolver, LooksUpWhatTheEngineOfBodiesFinds) {
       ASSERT_EQ(found.refusal, Refusal::none) << to_string(found.refusal);
       const double error = difference(found, exact, impact);
       EXPECT_LT(error, (1 + slide_ratio(impact)) * tolerance_.oblique + found.turning_error) << young << ' ' << i;
-      EXPECT_NEAR(found.contact_time / exact.contact_time, 1, 1e-5 + 2 * found.turning_error);
+      // Contact time and displacement know nothing of the turning: their error is its first order.
+      const double turned = found.displacement.cross(impact.normal).norm() / (2 * radius), way = 1 + centres_ratio(impact);
+      EXPECT_NEAR(found.contact_time / exact.contact_time, 1, 1e-5 + turned * way);
       EXPECT_LT((found.displacement - exact.displacement).norm(),
-                exact.contact_time * normal_speed(impact) * (2 * tolerance_.oblique + 2 * found.turning_error));
+                exact.contact_time * normal_speed(impact) * (2 * tolerance_.oblique + turned * way * way));
       all.push_back(error);
     }
     std::nth_element(all.begin(), all.begin() + 100, all.end());
@@ -105,7 +111,7 @@ TEST_P(Resolver, LooksUpWhatTheEngineOfBodiesFinds) {
   }
 }
 
-/// In one plane what is left falls with the square of overlap over distance: at 40 times the overlap it is far below 40 times as large.
+/// In one plane the first order is corrected: at overlaps of 2e-3 of the distance, which turn the normal by a per cent, less than 1e-3 is left.
 TEST_P(Resolver, LeavesASecondOrderInOnePlane) {
   const PairResolver pair(glass(GetParam(), 1e8), store(), tolerance_);
   for (int i = 0; i < 200; ++i) {

@@ -38,7 +38,7 @@ struct PairOutcome {
   bool stuck = false;  ///< told by exact engines alone: the tables refuse what sticks
   std::array<Eigen::Vector3d, 2> velocity{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
   std::array<Eigen::Vector3d, 2> spin{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
-  double contact_time = 0;                ///< [s]
+  double contact_time = 0;                ///< [s]; by table this and the displacement are those of a normal that does not turn
   double turning_error = 0;               ///< estimate of what the turning of the normal leaves out, of velocities over the normal speed
   Eigen::Vector3d displacement{0, 0, 0};  ///< of the first body past the second from first touch to separation [m]
 };
