@@ -183,9 +183,10 @@ void add_table(CLI::App& app, Options& options, std::function<void()>& job) {
   command->callback([&] {
     job = [&options] {
       if (answered_early(options, [](const Input& input) {
-            return std::string(input.surface.tangential == TangentialModel::none
-                                   ? "about 1 s on 2 cores at the default tolerance, below 10 MB"
-                                   : "about 30 s on 2 cores at the default tolerance, below 20 MB");
+            const bool slides = input.surface.tangential != TangentialModel::none, rolls = input.surface.rolling != RollingModel::none;
+            return std::string(slides  ? "about 30 s on 2 cores at the default tolerance, below 20 MB"
+                               : rolls ? "about 5 s on 2 cores at the default tolerance, below 10 MB"
+                                       : "about 1 s on 2 cores at the default tolerance, below 10 MB");
           }))
         return;
       const Input input = options.input();

@@ -13,7 +13,7 @@
 namespace scalebreak {
 namespace {
 
-/// The dashpot of `epsd` goes as its spring slips, so that the outcome jumps a little along a line: across it no cell is narrower.
+/// Beside adhesion the dashpot of `epsd` goes as its spring slips, so that the outcome jumps a little along a line: across it no cell is narrower.
 constexpr double narrowest_jump = 1.0 / 1024;
 
 /// The pair of a key in reduced units: two equal bodies between which nothing slides, and whose normal never turns.
@@ -111,7 +111,7 @@ RollingTable build_rolling_table(const RollingKey& key, int threads, const std::
                                              .threads = threads,
                                              .most_cells = 150'000,
                                              .one_dimensional = !adhesive,
-                                             .narrowest = key.model == RollingModel::epsd ? narrowest_jump : 0,
+                                             .narrowest = adhesive && key.model == RollingModel::epsd ? narrowest_jump : 0,
                                              .progress = progress});
   constexpr int samples = 4000;
   std::vector<double> errors(samples);
