@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -57,6 +58,9 @@ class FewBodySystem {
   /// Carries out event `k`; what changed, for those who want to know. Sets `duration_over` for the last event.
   std::vector<Change> apply(std::size_t k, State& y);
 
+  /// The bodies whose contact event `k` is of, or −1 if it is of none.
+  [[nodiscard]] std::array<int, 2> bodies_of(std::size_t k) const;
+
   [[nodiscard]] State start() const;
   [[nodiscard]] std::vector<MovingBody> bodies(const State& y) const;
   [[nodiscard]] EnergyAccount account(const State& y);
@@ -74,8 +78,15 @@ class FewBodySystem {
   [[nodiscard]] double turned(const State& y, const Link& link) const;
   [[nodiscard]] double time(const State& y) const { return y.back(); }
   [[nodiscard]] double time_unit() const { return time_unit_; }
+  /// Time per unit of the integrator's variable.
+  [[nodiscard]] double time_rate(const State& y) {
+    evaluate(y);
+    return time_rate_;
+  }
   [[nodiscard]] bool duration_over() const { return duration_over_; }
 
+  /// Links what touches at the start without approach, and attracts: it begins to pull.
+  void begin(State& y, std::vector<Change>& changes);
   /// Without links: moves on to the next touch and links it; false if there is none before the end.
   bool fly(State& y, std::vector<Change>& changes);
   /// No contact can ever part: each lacks more energy for it than all that moves could give.
@@ -140,6 +151,12 @@ class FewBodySystem {
   void evaluate_forces(const State& y, const Link& link, std::size_t at, Evaluated& e) const;
   void add_forces(const Link& link, const Evaluated& e);
   void hold_rigid_rolling(const State& y);
+  void stop_rigid_rolling(State& y) const;
+  [[nodiscard]] std::vector<std::size_t> rigidly_held() const;
+  [[nodiscard]] double torque_share(const Link& link, const Link& other) const;
+  [[nodiscard]] Eigen::VectorXd holding_torques(const std::vector<std::size_t>& held, const Eigen::VectorXd& missing) const;
+  [[nodiscard]] Eigen::VectorXd around_loops(const std::vector<std::size_t>& held, const Eigen::MatrixXd& effect,
+                                             const Eigen::VectorXd& missing) const;
   void finish_rates(const State& y, const Link& link, std::size_t at, Evaluated& e) const;
   [[nodiscard]] Eigen::Vector3d rigid_turning(const Link& link, const Evaluated& e) const;
   [[nodiscard]] double roll_event(const Link& link, const Evaluated& e) const;
