@@ -94,9 +94,8 @@ TEST(RigidRolling, OfAClosedLoopLetsGoWithoutRepeatingItself) {
                                body_text({0, std::sqrt(3.0) * r, 0}, {0, -0.02, 0.002}, {-500, 300, 100}, r);
       const MovingScene scene = moving_scene(resolved(text, {fmt::format("material.rolling_friction={}", friction)}));
       int changes = 0;
-      const MotionOutcome end = scene.move({.tolerance = 1e-8, .duration = duration, .on_change = [&](double, int, int, ContactChange) {
-                                              ++changes;
-                                            }});
+      const MotionOutcome end =
+          scene.move({.tolerance = 1e-8, .duration = duration, .on_change = [&](double, int, int, ContactChange) { ++changes; }});
       EXPECT_NEAR(end.after.total(), end.before.total(), 1e-7 * std::max(energy_size(end.before), energy_size(end.after)));
       EXPECT_LT((angular_momentum(end.bodies) - angular_momentum(scene.bodies)).norm(), 1e-12 * angular_momentum_size(scene.bodies));
       EXPECT_EQ(end.open_contacts, 3);

@@ -21,7 +21,7 @@ std::string at_rest(const std::string& laws, double gap) {
 /// Without damping the pull takes the pair to where the potential is what it was at first touch, and back.
 TEST(AtRest, AnAdhesivePairIsPulledTogether) {
   for (const char* range : {"full", "pull_off", "touch"}) {
-    for (const double gap : {0.0, 4e-10 * r, -4e-10 * r}) {
+    for (const double gap : {0.0, 4e-13 * r, -4e-10 * r}) {
       SCOPED_TRACE(fmt::format("{} {}", range, gap));
       const std::string laws = setting("normal", "jkr") + setting("adhesion_range", range) + setting("tangential", "mindlin");
       const MovingScene scene = moving_scene(resolved(at_rest(laws + "[material]\nrestitution = 1\n[run]\nduration = 1e-4\n", gap)));
@@ -89,6 +89,12 @@ TEST(AtRest, WithoutAttractionNothingBegins) {
   const std::string text = "[contact]\nnormal = \"hertz\"\n" + body_text({0, 0, 0}, {0, 0, 0}, {0, 0, 0}, r) +
                            body_text({2 * r, 0, 0}, {0, 0, 0}, {0, 0, 0}, r) + body_text({9 * r, 9 * r, 0}, {0, -0.1, 0}, {0, 0, 0}, r);
   EXPECT_EQ(moving_scene(resolved(text)).move({}).touches, 0);
+}
+
+TEST(AtRest, AGapHoweverSmallIsNoContact) {
+  const std::string text = at_rest(setting("normal", "jkr"), 1e-11 * r) + body_text({9 * r, 9 * r, 0}, {0, -0.1, 0}, {0, 0, 0}, r) +
+                           body_text({9 * r, 6 * r, 0}, {0, 0, 0}, {0, 0, 0}, r);
+  EXPECT_EQ(moving_scene(resolved(text)).move({.duration = 1e-4}).touches, 0);
 }
 
 /// Counted once: a contact that slides from its first instant to its last has begun to slide once.

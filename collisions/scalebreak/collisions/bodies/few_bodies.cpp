@@ -129,10 +129,10 @@ class Motion {
     const double time = system_.time(state_);
     if (time - instant_ > 1e-9 * system_.time_unit()) instant_ = time, at_instant_ = 0;
     if (++at_instant_ <= most_at_an_instant || between[0] < 0) return;
-    throw WorkError(
-        fmt::format("the contact of bodies {} and {} lets go and holds again without end at {:.6g} s: its laws contradict each other there; "
-                    "give a run.duration that ends before, a finer numerics.tolerance, or another contact.rolling",
-                    between[0] + 1, between[1] + 1, time));
+    throw WorkError(fmt::format(
+        "the contact of bodies {} and {} lets go and holds again without end at {:.6g} s: its laws contradict each other there; "
+        "give a run.duration that ends before, a finer numerics.tolerance, or another contact.rolling",
+        between[0] + 1, between[1] + 1, time));
   }
 
   /// Beyond the smaller radius the centres are about to pass each other, and no contact law means anything.

@@ -20,9 +20,6 @@ using Eigen::Vector3d;
 /// of this.
 constexpr double rolling_floor = 1e-7;
 
-/// A limit counts as no smaller than this share of its size in the scene where torques are shared out.
-constexpr double direction_floor = 1e-6;
-
 Vector3d in_plane(const Vector3d& v, const Vector3d& normal) { return v - normal * normal.dot(v); }
 
 /// Of all torques that hold (`torque` and what `free` spans on top of it) the ones whose largest share of its limit is least, or the first
@@ -134,7 +131,8 @@ Eigen::VectorXd FewBodySystem::holding_torques(const std::vector<std::size_t>& h
       held.size() < smallest_loop ? Eigen::VectorXd(effect.partialPivLu().solve(missing)) : around_loops(held, effect, missing);
   for (std::size_t a = 0; a < held.size(); ++a) {
     const auto row = static_cast<Eigen::Index>(3 * a);
-    torque.segment<3>(row) = in_plane(torque.segment<3>(row), evaluated_[held[a]].at.normal) / torque_share(links_[held[a]], links_[held[a]]);
+    torque.segment<3>(row) =
+        in_plane(torque.segment<3>(row), evaluated_[held[a]].at.normal) / torque_share(links_[held[a]], links_[held[a]]);
   }
   return torque;
 }

@@ -36,6 +36,10 @@ enum class LinkEvent { phase_end, phase_begin, slide, skid, roll, load_sign, nea
 inline constexpr double begin_share = 1e-4, end_share = 1e-5;
 [[nodiscard]] inline bool flat_touch(const ContactLaws& laws) { return std::holds_alternative<Hertz<double>>(laws.normal); }
 
+/// Where the limit of a slider falls to zero its direction turns ever faster, to no effect: below this share of the limit's
+/// size in the scene it is let be, which costs an impulse of the square of this.
+inline constexpr double direction_floor = 1e-6;
+
 /// State: position, velocity and spin of each body; then a block per link; then the time. The integrator's
 /// variable s runs so that all of it is smooth in s: dt/ds falls to zero where a contact begins or tears.
 class FewBodySystem {
