@@ -82,8 +82,8 @@ TEST_P(AngleSweep, HasNoJump) {
 
 std::vector<std::string> laws() {
   std::vector<std::string> all;
-  for (const std::string& normal :
-       {setting("normal", "hertz"), setting("normal", "jkr") + setting("damping_on", "overlap") + setting("tangential_radius", "overlap")}) {
+  for (const std::string& normal : {setting("normal", "hertz"), setting("normal", "jkr") + setting("damping_on", "overlap") +
+                                                                    setting("tangential_radius", "overlap")}) {
     for (const char* rolling : {"none", "cdt", "epsd", "epsd2", "ar"})
       all.push_back(normal + setting("tangential", "mindlin") + setting("rolling", rolling));
   }
