@@ -75,7 +75,7 @@ std::vector<std::uint32_t> Dem::Engine::sort_out_kinds(const System& start) {
   if (each_) {
     // The extremes stand for all: their forms are compared, and the largest reach is theirs.
     kinds_.clear();
-    for (const std::uint8_t material : {0, 1}) {
+    for (const std::uint8_t material : {std::uint8_t{0}, std::uint8_t{1}}) {
       if (std::find(material_.begin(), material_.end(), material) == material_.end()) continue;
       kinds_.push_back({smallest_, material});
       kinds_.push_back({largest_, material});
