@@ -21,6 +21,16 @@ template <class T>
   }
 }
 
+/// Does a condition hold in any lane?
+template <class Condition>
+[[nodiscard, gnu::always_inline]] inline bool any(const Condition& condition) {
+  if constexpr (std::is_same_v<Condition, bool>) {
+    return condition;
+  } else {
+    return any_of(condition);
+  }
+}
+
 /// `yes` where the condition holds, else `no`, lane by lane.
 template <class Condition, class T>
 [[nodiscard, gnu::always_inline]] inline T choose(const Condition& condition, const T& yes, const T& no) {

@@ -23,13 +23,10 @@ struct Vector3Of {
   friend Vector3Of operator*(const T& s, const Vector3Of& a) { return {s * a.x, s * a.y, s * a.z}; }
 };
 
-/// A history turned into the plane across `normal`, its length kept.
+/// A history turned into the plane across `normal`. What a turn by the angle α of one step takes off its length, α²/2, is left off.
 template <class T>
-[[nodiscard, gnu::always_inline]] inline Vector3Of<T> turned_into_plane(const Vector3Of<T>& history, const Vector3Of<T>& normal) {
-  using std::sqrt;
-  const Vector3Of<T> flat = history - history.dot(normal) * normal;
-  const T before = history.dot(history), after = flat.dot(flat);
-  return choose(after > 0.0, T(sqrt(before / choose(after > 0.0, after, T(1)))), T(0)) * flat;
+[[nodiscard, gnu::always_inline]] inline Vector3Of<T> in_plane(const Vector3Of<T>& history, const Vector3Of<T>& normal) {
+  return history - history.dot(normal) * normal;
 }
 
 /// The slider of a soft-sphere engine: the same spring, dashpot and limit as Slider, stepped over `time` and set back to the limit
@@ -40,9 +37,12 @@ template <class T>
 [[nodiscard, gnu::always_inline]] inline Vector3Of<T> step_slider(const SliderLawOf<T>& law, bool rigid, Vector3Of<T>& history,
                                                                   const Vector3Of<T>& speed, const T& time) {
   using std::sqrt;
-  const auto over = [](const T& length, const T& limit) {  // by what a vector of this length is shortened to the limit
-    const auto longer = length > limit;
-    return choose(longer, T(limit / choose(longer, length, T(1))), T(1));
+  // By what a vector is shortened to the limit.
+  const auto over = [](const Vector3Of<T>& v, const T& limit) {
+    const T square = v.dot(v);
+    const auto longer = square > limit * limit;
+    if (!any(longer)) return T(1);
+    return choose(longer, T(limit / sqrt(choose(longer, square, T(1)))), T(1));
   };
   if (rigid) {
     const T length = speed.norm();
@@ -50,25 +50,27 @@ template <class T>
   }
   if (law.incremental) {
     const Vector3Of<T> trial = history + (law.stiffness * time) * speed;
-    const T length = trial.norm(), share = over(length, law.limit);
+    const T share = over(trial, law.limit);
     history = share * trial;
-    const T damping = choose(length > law.limit, T(0), law.damping);  // what slides has no dashpot
-    return history + damping * speed;
+    return history + choose(share < 1.0, T(0), law.damping) * speed;  // what slides has no dashpot
   }
   const Vector3Of<T> stretched = history + time * speed;
   if (!law.dashpot_is_limited) {
     const Vector3Of<T> trial = law.stiffness * stretched;
-    const T share = over(trial.norm(), law.limit);
+    const T share = over(trial, law.limit);
     history = share * stretched;
     return share * trial;
   }
   const Vector3Of<T> dashpot = law.damping * speed, trial = law.stiffness * stretched + dashpot;
-  const T length = trial.norm();
-  const auto slides = length > law.limit;
-  const Vector3Of<T> force = over(length, law.limit) * trial;
-  // Along the force: what the spring would pull, and what it pulls if it is left as it is; both over the stiffness and the limit.
-  const Vector3Of<T> spring = force - dashpot, kept = law.stiffness * history;
-  const T pull = force.dot(spring), pull_before = force.dot(kept);
+  const auto slides = trial.dot(trial) > law.limit * law.limit;
+  if (!any(slides)) {
+    history = stretched;
+    return trial;
+  }
+  const Vector3Of<T> force = over(trial, law.limit) * trial;
+  // Along the force: what the spring would pull, and what it pulls if it is left as it is; both times the limit.
+  const Vector3Of<T> spring = force - dashpot;
+  const T pull = force.dot(spring), pull_before = law.stiffness * force.dot(history);
   const auto skids = slides && pull < 0.0 && pull < pull_before;
   const T softness = choose(law.stiffness > 0.0, T(1.0 / choose(law.stiffness > 0.0, law.stiffness, T(1))), T(0));
   history.x = choose(slides, choose(skids, history.x, T(softness * spring.x)), stretched.x);
