@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <scalebreak/collisions/tables/oblique_table_builder.hpp>
+#include <scalebreak/collisions/tables/rolling_table_builder.hpp>
 #include <scalebreak/contact/damping.hpp>
 #include <scalebreak/output/atomic_file.hpp>
 #include <scalebreak/output/csv.hpp>
@@ -17,7 +18,7 @@ namespace {
 
 using nlohmann::json;
 
-/// Of the tangential outcomes; the normal ones have numerics.table_tolerance.
+/// Of the tangential and rolling outcomes; the normal ones have numerics.table_tolerance.
 constexpr double oblique_tolerance = 1e-4;
 
 /// Mean time of a lookup at one damping ratio [ns], over scattered speeds.
@@ -50,20 +51,20 @@ json table_json(const StoredTable& stored) {
           {"lookup_ns", measure_lookup(table)}};
 }
 
-/// Mean time of a lookup of an oblique table [ns], over scattered speeds and angles.
-double measure_lookup(const ObliqueTable& table) {
+/// Mean time of a lookup of an oblique or a rolling table [ns], over scattered speeds and ratios.
+template <class Table>
+double measure_scattered_lookup(const Table& table, double sticking_squared) {
   constexpr int count = 1'000'000;
   unsigned random = 1;
-  double sum = 0;
-  const double slowest = 1.2 * std::sqrt(table.sticking_squared()) + 1;
+  int found = 0;
+  const double slowest = 1.2 * std::sqrt(sticking_squared) + 1;
   const auto start = std::chrono::steady_clock::now();
   for (int i = 0; i < count; ++i) {
     random = random * 1664525u + 1013904223u;
-    const auto found = table.find(slowest + 1e-5 * (random >> 8), 1e-4 * (random & 0xffff));
-    sum += found ? found->surface_restitution : 0;
+    found += table.find(slowest + 1e-5 * (random >> 8), 1e-4 * (random & 0xffff)).has_value();
   }
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  return std::isfinite(sum) ? seconds / count * 1e9 : 0;
+  return found > 0 ? seconds / count * 1e9 : 0;
 }
 
 json oblique_json(const StoredObliqueTable& stored) {
@@ -79,7 +80,22 @@ json oblique_json(const StoredObliqueTable& stored) {
           {"turning_error_median", table.quality().turning_error_median},
           {"built", stored.built},
           {"build_seconds", stored.build_seconds},
-          {"lookup_ns", measure_lookup(table)}};
+          {"lookup_ns", measure_scattered_lookup(table, table.sticking_squared())}};
+}
+
+json rolling_json(const StoredRollingTable& stored) {
+  const RollingTable& table = stored.table;
+  return {{"kind", to_string(table.key().kind)},
+          {"surface", std::string("rolling ") + to_string(table.key().model)},
+          {"tolerance", table.key().tolerance},
+          {"entries", table.entries().values().size()},
+          {"cells", table.entries().cells()},
+          {"bytes", table.bytes()},
+          {"error_max", table.quality().error_max},
+          {"error_rms", table.quality().error_rms},
+          {"built", stored.built},
+          {"build_seconds", stored.build_seconds},
+          {"lookup_ns", measure_scattered_lookup(table, table.plane().sticking_squared)}};
 }
 
 /// The pair's own table of oblique collisions, if the input has friction: beside the table of its normal collisions.
@@ -90,6 +106,16 @@ json oblique_result(const Options& options, const Input& input) {
     return nullptr;
   }
   return oblique_json(obtain_oblique_table(*key, options.store(), options.rebuild));
+}
+
+/// And of its rolling, if the input resists that.
+json rolling_result(const Options& options, const Input& input) {
+  const auto [key, reason] = rolling_key(input, oblique_tolerance);
+  if (!key) {
+    options.say("no rolling table: " + reason);
+    return nullptr;
+  }
+  return rolling_json(obtain_rolling_table(*key, options.store(), options.rebuild));
 }
 
 /// The rows of nine restitutions put in, as a CSV and as plots of the restitution and the contact time that come out.
@@ -130,9 +156,9 @@ void write_files(const Options& options, const CollisionTable& table) {
   }
 }
 
-void print_oblique(const json& j) {
+void print_of_pair(const char* what, const json& j) {
   fmt::print(
-      "oblique, {}: {} entries in {} cells, {:.1f} MiB, largest error {:.2e} (asked {:g}), rms {:.2e}, {}, {:.0f} ns a lookup\n",
+      "{}, {}: {} entries in {} cells, {:.1f} MiB, largest error {:.2e} (asked {:g}), rms {:.2e}, {}, {:.0f} ns a lookup\n", what,
       j["surface"].get<std::string>(), j["entries"].get<std::size_t>(), j["cells"].get<std::size_t>(), j["bytes"].get<double>() / 1048576,
       j["error_max"].get<double>(), j["tolerance"].get<double>(), j["error_rms"].get<double>(),
       j["built"].get<bool>() ? fmt::format("built in {:.1f} s", j["build_seconds"].get<double>()) : std::string("read from the cache"),
@@ -157,9 +183,10 @@ void add_table(CLI::App& app, Options& options, std::function<void()>& job) {
   command->callback([&] {
     job = [&options] {
       if (answered_early(options, [](const Input& input) {
-            return std::string(input.surface.tangential == TangentialModel::none
-                                   ? "about 1 s on 2 cores at the default tolerance, below 10 MB"
-                                   : "about 30 s on 2 cores at the default tolerance, below 20 MB");
+            const bool slides = input.surface.tangential != TangentialModel::none, rolls = input.surface.rolling != RollingModel::none;
+            return std::string(slides  ? "about 30 s on 2 cores at the default tolerance, below 20 MB"
+                               : rolls ? "about 5 s on 2 cores at the default tolerance, below 10 MB"
+                                       : "about 1 s on 2 cores at the default tolerance, below 10 MB");
           }))
         return;
       const Input input = options.input();
@@ -174,7 +201,11 @@ void add_table(CLI::App& app, Options& options, std::function<void()>& job) {
       }
       if (!options.all_kinds && input.surface.tangential != TangentialModel::none) {
         results.front()["oblique"] = oblique_result(options, input);
-        if (!options.json && !results.front()["oblique"].is_null()) print_oblique(results.front()["oblique"]);
+        if (!options.json && !results.front()["oblique"].is_null()) print_of_pair("oblique", results.front()["oblique"]);
+      }
+      if (!options.all_kinds && input.surface.rolling != RollingModel::none) {
+        results.front()["rolling"] = rolling_result(options, input);
+        if (!options.json && !results.front()["rolling"].is_null()) print_of_pair("rolling", results.front()["rolling"]);
       }
       deliver(options, input, "table", options.all_kinds ? json{{"tables", results}} : results.front());
     };

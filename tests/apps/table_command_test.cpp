@@ -91,6 +91,21 @@ TEST_F(Table, ADamagedOneIsNamedAndBuiltAnew) {
   }
 }
 
+TEST_F(Table, OfTheRollingIsKeptBesideIt) {
+  const ProgramRun first = table({"--quiet", "--set", "contact.rolling=cdt"});
+  ASSERT_EQ(first.status, 0) << first.err;
+  const json rolling = first.json()["rolling"];
+  EXPECT_EQ(rolling["surface"], "rolling cdt");
+  EXPECT_LE(rolling["error_max"].get<double>(), 1e-4);
+  EXPECT_EQ(rolling["built"], true);
+  EXPECT_EQ(entries_in(tables), 4);
+  EXPECT_EQ(table({"--set", "contact.rolling=cdt"}).json()["rolling"]["built"], false);
+  const ProgramRun none = table({"--set", "contact.normal=hertz", "--set", "contact.rolling=ar"});
+  ASSERT_EQ(none.status, 0) << none.err;
+  EXPECT_TRUE(none.json()["rolling"].is_null());
+  EXPECT_THAT(none.err, HasSubstr("no rolling table: adhesive rolling beside a contact without adhesion is another one at every speed"));
+}
+
 TEST_F(Table, OfAnotherToleranceOrKindIsAnotherTable) {
   ASSERT_EQ(table().status, 0);
   EXPECT_EQ(table({"--set", "numerics.table_tolerance=1e-2"}).json()["built"], true);

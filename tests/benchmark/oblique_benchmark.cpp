@@ -9,6 +9,8 @@
 #include <scalebreak/collisions/bodies/moving_scene.hpp>
 #include <scalebreak/collisions/oblique/oblique_collision.hpp>
 #include <scalebreak/collisions/tables/oblique_table_builder.hpp>
+#include <scalebreak/collisions/tables/pair_resolver.hpp>
+#include <scalebreak/collisions/tables/rolling_table_builder.hpp>
 
 // Cost of one oblique collision: by the planar engine, by the engine of a few bodies, by table, and the naive way. Two glass
 // spheres of 1 mm at 0.1 m/s; the impact slides, sticks and slides again.
@@ -96,6 +98,38 @@ void table_build(benchmark::State& state, const Laws& laws) {
   state.counters["lookup_ns"] = 1e9 * std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() / lookups;
 }
 
+void rolling_table_build(benchmark::State& state, const Laws& laws) {
+  const auto key = *rolling_key(impact(laws), 1e-4).key;
+  RollingTable table;
+  for (auto _ : state) table = build_rolling_table(key, 0);
+  state.counters["error_max"] = table.quality().error_max;
+  state.counters["KiB"] = static_cast<double>(table.bytes()) / 1024;
+  state.counters["cells"] = static_cast<double>(table.entries().cells());
+}
+
+/// The whole outcome of a pair in space by its tables.
+void pair_lookup(benchmark::State& state, const Laws& laws) {
+  const PairResolver pair(impact(laws), {.folder = default_table_folder()}, {.oblique = 1e-3, .turning = 1});
+  std::vector<PairImpact> impacts;
+  unsigned random = 1;
+  const auto number = [&random] { return (random = random * 1664525u + 1013904223u) / 2147483648.0 - 1; };
+  for (int i = 0; i < 1024; ++i) {
+    const Eigen::Vector3d normal = Eigen::Vector3d(number(), number(), number()).normalized();
+    PairImpact impact{.normal = normal};
+    impact.velocity = {0.1 * (1.1 + number()) * normal + 0.03 * Eigen::Vector3d(number(), number(), number()), Eigen::Vector3d::Zero()};
+    for (auto& spin : impact.spin) spin = 100 * Eigen::Vector3d(number(), number(), number());
+    impacts.push_back(impact);
+  }
+  std::size_t i = 0;
+  int refused = 0;
+  for (auto _ : state) {
+    const PairOutcome outcome = pair.look_up(impacts[++i % impacts.size()]);
+    refused += outcome.refusal != Refusal::none;
+    benchmark::DoNotOptimize(outcome.velocity[0][0]);
+  }
+  state.counters["refused"] = static_cast<double>(refused) / static_cast<double>(state.iterations());
+}
+
 const int registered = [] {
   using enum RollingModel;
   std::vector<Laws> all;
@@ -117,7 +151,15 @@ const int registered = [] {
       benchmark::RegisterBenchmark(fmt::format("oblique/naive_verlet/{:.0e}/{}", error, name).c_str(), naive, laws, error)
           ->Unit(benchmark::kMicrosecond);
     }
-    if (laws.surface.rolling == none) {
+    if (laws.kind.damping_on == DampingOn::contact_radius || !laws.kind.adhesive()) {
+      benchmark::RegisterBenchmark(("oblique/pair_lookup/" + name).c_str(), pair_lookup, laws)->Unit(benchmark::kNanosecond);
+    }
+    if (laws.surface.rolling != none) {
+      benchmark::RegisterBenchmark(("oblique/rolling_table_build/1e-4/" + name).c_str(), rolling_table_build, laws)
+          ->Unit(benchmark::kSecond)
+          ->Iterations(1)
+          ->UseRealTime();
+    } else {
       benchmark::RegisterBenchmark(("oblique/table_build/1e-4/" + name).c_str(), table_build, laws)
           ->Unit(benchmark::kSecond)
           ->Iterations(1)

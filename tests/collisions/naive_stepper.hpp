@@ -22,11 +22,17 @@ class NaivePair {
     for (long k = 0; k < steps && (touching_ || bridged_); ++k) {
       kick(step / 2);
       for (MovingBody& body : bodies_) body.position += step * body.velocity;
+      time_ += step;
       forces(step);
       kick(step / 2);
     }
     return bodies_;
   }
+
+  /// The last instant at which friction was at its limit, from touch [s].
+  [[nodiscard]] double last_slide() const { return last_slide_; }
+  /// When it ended [s].
+  [[nodiscard]] double time() const { return time_; }
 
  private:
   using Vector3d = Eigen::Vector3d;
@@ -63,7 +69,9 @@ class NaivePair {
       const double dt = step * mapped_.length;
       if (mapped_.laws.tangential.acts()) {
         const Vector3d speed = centres + (arms.first * first + arms.second * second).cross(n);
-        along = stretched(mapped_.laws.tangential.at(point_, {}), speed, n, dt, sliding_);
+        const SliderLaw law = mapped_.laws.tangential.at(point_, {});
+        along = stretched(law, speed, n, dt, sliding_);
+        if (along.norm() > (1 - 1e-12) * law.limit) last_slide_ = time_;
       }
       if (mapped_.laws.rolling.acts()) {
         const Vector3d spin = (first - second) - n * n.dot(first - second);
@@ -138,6 +146,7 @@ class NaivePair {
   ContactPoint point_;
   Vector3d sliding_ = Vector3d::Zero(), rolled_ = Vector3d::Zero();
   std::array<Vector3d, 2> force_, torque_;
+  double time_ = 0, last_slide_ = 0;
   bool touching_ = true;
   bool bridged_ = mapped_.laws.liquid.bridges();
 };

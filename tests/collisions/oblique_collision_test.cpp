@@ -39,6 +39,8 @@ TEST_P(Planar, CollidesAsBodiesInSpace) {
   EXPECT_NEAR((motion.last_separation - motion.first_touch) / planar.contact_time, 1, 1e-9);
   EXPECT_NEAR(motion.turned, std::abs(planar.turned), 1e-11);
   EXPECT_GT(planar.turned, 1e-4);
+  EXPECT_EQ(motion.slides, planar.slips);
+  EXPECT_EQ(motion.rolls, planar.rolls);
 }
 
 INSTANTIATE_TEST_SUITE_P(Laws, Planar,

@@ -177,7 +177,7 @@ TEST(ResolveCollision, SurfacesThatSlideThroughoutLoseWhatCoulombTakes) {
   const SceneCollision r = resolve_collision(input);
   EXPECT_FALSE(r.pair->restitution_tangential.has_value()) << "the centres do not pass each other";
   EXPECT_NEAR(*r.pair->restitution_surface, 3.5 * 0.05 * 2 * 0.1 / 0.1 - 1, 1e-7);
-  EXPECT_EQ(r.motion.slides, 0) << "it slides from the start";
+  EXPECT_EQ(r.motion.slides, 1) << "from the start";
 }
 
 TEST(ResolveCollision, AFixedBodyStaysAndTheOtherKeepsItsRestitution) {

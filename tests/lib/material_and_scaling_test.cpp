@@ -103,5 +103,35 @@ TEST(ScalingLaws, ScaleTheWallToo) {
   EXPECT_NEAR(scaled.pair().young / bodies.pair().young, 0.01, 1e-15);
 }
 
+/// A liquid said as a share of the spheres and the same said in metres are one liquid, under every law that enlarges the particles.
+TEST(ScalingLaws, EnlargeALiquidGivenInMetresAsOneGivenInShares) {
+  for (const std::size_t spheres : {2, 1}) {
+    Bodies shares{{}, {}, {}, {1e-3, 0.6e-3}};
+    shares.radius.resize(spheres);
+    for (Material* material : {&shares.first, &shares.second, &shares.wall.material})
+      material->liquid_fraction = 0.02, material->separation_min_ratio = 3e-4;
+    Bodies metres = shares;
+    const SurfacePair original = shares.surfaces();
+    for (Material* material : {&metres.first, &metres.second, &metres.wall.material}) {
+      material->liquid_fraction = 0, material->liquid_volume = original.bridge_volume;
+      material->separation_min_ratio = 0, material->separation_min = original.separation_min;
+    }
+    for (const char* name : {"none", "chen_elliott", "bond", "cohesion", "thakur"}) {
+      const ScalingLaw& law = *find_scaling_law(name);
+      const SurfacePair a = scaled_bodies(law, 4, shares, NormalModel::jkr).surfaces();
+      const SurfacePair b = scaled_bodies(law, 4, metres, NormalModel::jkr).surfaces();
+      EXPECT_NEAR(a.bridge_volume / original.bridge_volume, 64, 1e-12) << name;
+      EXPECT_NEAR(b.bridge_volume / a.bridge_volume, 1, 1e-14) << name;
+      EXPECT_NEAR(a.separation_min / original.separation_min, 4, 1e-13) << name;
+      EXPECT_NEAR(b.separation_min / a.separation_min, 1, 1e-14) << name;
+    }
+    for (const auto& [name, factor] : {std::pair{"none", 0.01}, {"rps", 0.01}}) {
+      const SurfacePair softened = scaled_bodies(*find_scaling_law(name), factor, metres, NormalModel::jkr).surfaces();
+      EXPECT_EQ(softened.bridge_volume, original.bridge_volume) << name;
+      EXPECT_EQ(softened.separation_min, original.separation_min) << name;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace scalebreak

@@ -51,6 +51,14 @@ TEST_P(ThreeSpheres, RpsGivesTheSameCurvesAndNoScalingOthers) {
               1e-3 * growth);
 }
 
+/// What is softened until spheres are none any more is said to be lost, and the rest of the chart is there.
+TEST_P(ThreeSpheres, AreChartedDownToWhereSpheresEnd) {
+  Input input = input_of(GetParam());
+  input.study_factors = {1e-1, 1e-6};
+  const CaseResult result = run(GetParam(), input);
+  EXPECT_GT(number(result, "rps, 1e-06", "overlap_over_radius"), 10 * number(result, "rps, 0.1", "overlap_over_radius"));
+}
+
 INSTANTIATE_TEST_SUITE_P(Washino, ThreeSpheres, testing::Values("w-case1", "w-case2", "w-case3"));
 
 TEST(ChenElliott, UnlikeSpheresKeepTheirCollisionUnderThatLawAlone) {

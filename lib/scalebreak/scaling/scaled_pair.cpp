@@ -12,11 +12,22 @@ SurfacePair Bodies::surfaces() const {
   return against_wall() ? wall_surfaces(first, radius[0], wall) : sphere_surfaces(first, radius[0], second, radius[1]);
 }
 
+namespace {
+
+/// Enlarging is geometry: lengths that a material gives in metres grow with the particles, as shares of the radius do by themselves.
+Material enlarged(Material material, double size) {
+  material.separation_min *= size;
+  material.liquid_volume *= size * size * size;
+  return material;
+}
+
+}  // namespace
+
 Bodies scaled_bodies(const ScalingLaw& law, double factor, Bodies bodies, NormalModel normal) {
-  bodies.first = scaled_material(law, factor, bodies.first, normal);
-  bodies.second = scaled_material(law, factor, bodies.second, normal);
-  bodies.wall.material = scaled_material(law, factor, bodies.wall.material, normal);
-  for (double& radius : bodies.radius) radius *= size_factor(law, factor);
+  const double size = size_factor(law, factor);
+  for (Material* material : {&bodies.first, &bodies.second, &bodies.wall.material})
+    *material = enlarged(scaled_material(law, factor, *material, normal), size);
+  for (double& radius : bodies.radius) radius *= size;
   return bodies;
 }
 

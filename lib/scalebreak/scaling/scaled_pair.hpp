@@ -19,7 +19,7 @@ struct Bodies {
   [[nodiscard]] SurfacePair surfaces() const;
 };
 
-/// The bodies of the scaled system, beside a normal contact.
+/// The bodies of the scaled system, beside a normal contact. A size law enlarges all geometry: radii, S_min and the bridges.
 [[nodiscard]] Bodies scaled_bodies(const ScalingLaw& law, double factor, Bodies bodies, NormalModel normal);
 
 /// How a scaled pair collides in the normal direction: as `pair`, with what turns that pair's overlaps, times and

@@ -5,7 +5,7 @@
 
 #include <scalebreak/contact/contact_kind.hpp>
 #include <scalebreak/contact/surface_kind.hpp>
-#include <scalebreak/table/collision_table.hpp>
+#include <scalebreak/table/impact_plane.hpp>
 #include <scalebreak/table/patch_table.hpp>
 
 namespace scalebreak {
@@ -58,8 +58,7 @@ class ObliqueTable {
   ObliqueTable() = default;
   ObliqueTable(ObliqueKey key, double sticking_squared, double half_way, Entries entries, Turnings turnings, ObliqueQuality quality)
       : key_(key),
-        sticking_squared_(sticking_squared),
-        half_way_(half_way),
+        plane_{key.kind.adhesive(), sticking_squared, half_way},
         entries_(std::move(entries)),
         turnings_(std::move(turnings)),
         quality_(quality) {}
@@ -73,26 +72,15 @@ class ObliqueTable {
 
   [[nodiscard]] const ObliqueKey& key() const { return key_; }
   [[nodiscard]] const ObliqueQuality& quality() const { return quality_; }
-  [[nodiscard]] double sticking_squared() const { return sticking_squared_; }
-  [[nodiscard]] double half_way() const { return half_way_; }
+  [[nodiscard]] double sticking_squared() const { return plane_.sticking_squared; }
+  [[nodiscard]] double half_way() const { return plane_.half_way; }
   [[nodiscard]] const Entries& entries() const { return entries_; }
   [[nodiscard]] const Turnings& turnings() const { return turnings_; }
   [[nodiscard]] std::size_t bytes() const { return entries_.bytes() + turnings_.bytes(); }
 
-  /// Where a table with adhesion begins and ends in ξ.
-  [[nodiscard]] static double first_coordinate() { return CollisionTable::speed_coordinate(TableBounds::excess_min); }
-  [[nodiscard]] static double last_coordinate() { return CollisionTable::speed_coordinate(TableBounds::excess_max); }
-
  private:
-  /// Where an impact is on the unit square, if the table reaches there.
-  struct Place {
-    double x, y;
-  };
-  [[nodiscard]] std::optional<Place> place(double speed, double ratio) const;
-
   ObliqueKey key_;
-  double sticking_squared_ = 0;
-  double half_way_ = 1;  ///< ψ₀
+  ImpactPlane plane_;
   Entries entries_;
   Turnings turnings_;
   ObliqueQuality quality_;

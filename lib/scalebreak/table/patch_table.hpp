@@ -13,7 +13,7 @@ namespace scalebreak {
 /// needed, each with a bicubic polynomial through 4 × 4 Chebyshev–Lobatto nodes. Cells that a kink crosses are small
 /// enough for the tolerance; no polynomial is fitted across more than one of them.
 ///
-/// Lanes is how many functions there are (a multiple of 2).
+/// Lanes is how many functions there are.
 template <int Lanes>
 class PatchTable {
  public:

@@ -40,6 +40,9 @@ class Motion {
   }
 
   MotionOutcome run() {
+    std::vector<FewBodySystem::Change> begun;
+    system_.begin(state_, begun);
+    note(begun);
     observe();
     while (!system_.duration_over()) {
       if (system_.links().empty()) {
@@ -64,22 +67,28 @@ class Motion {
   /// From one change of the links to the next; true if all rests.
   bool follow() {
     Integrator integrator(system_, options_.tolerance / 16, next_step_);
-    if (options_.sample_interval > 0) integrator.limit_step(options_.sample_interval / system_.time_unit());
+    double longest = options_.sample_interval / system_.time_unit();
     for (;;) {
+      if (options_.sample_interval > 0) {
+        // Where time hardly goes on, steps may grow.
+        longest = std::min(options_.sample_interval / system_.time_rate(state_), 2 * longest);
+        integrator.limit_step(longest);
+      }
       const std::size_t size = state_.size();
       const int event = integrator.advance(state_);
       ++outcome_.steps;
       if (options_.find_max_force) {
         outcome_.max_force = integrator.peak([this](const auto& y) { return system_.largest_force(y); }, outcome_.max_force);
       }
-      track();
       observe();
+      track();
       if (event == Integrator::none) {
         if (settled() || (outcome_.steps % steps_between_looks == 0 && at_rest())) return outcome_.resting = true;
         continue;
       }
       const auto last_links = system_.links();
       turned(last_links);
+      refuse_endless_events(system_.bodies_of(static_cast<std::size_t>(event)));
       const auto changes = system_.apply(static_cast<std::size_t>(event), state_);
       note(changes);
       if (++events_ > event_cap(options_)) {
@@ -99,6 +108,7 @@ class Motion {
 
   /// Whoever gives no duration expects an end.
   static int event_cap(const MotionOptions& options) { return options.duration > 0 ? 1'000'000 : 50'000; }
+  static constexpr int most_at_an_instant = 2'000;
   static constexpr int settled_steps = 30;
   static constexpr int steps_between_looks = 20;
 
@@ -112,6 +122,17 @@ class Motion {
     if (std::abs(moving - last_kinetic_) >= 1e-15 * moving + 1e-18 * first_kinetic_) still_ = 0, still_since_ = time;
     last_kinetic_ = moving;
     return ++still_ > settled_steps && time - still_since_ > system_.time_unit();
+  }
+
+  /// A contact that lets go and holds again while time stands still has no motion that its laws agree on.
+  void refuse_endless_events(const std::array<int, 2>& between) {
+    const double time = system_.time(state_);
+    if (time - instant_ > 1e-9 * system_.time_unit()) instant_ = time, at_instant_ = 0;
+    if (++at_instant_ <= most_at_an_instant || between[0] < 0) return;
+    throw WorkError(fmt::format(
+        "the contact of bodies {} and {} lets go and holds again without end at {:.6g} s: its laws contradict each other there; "
+        "give a run.duration that ends before, a finer numerics.tolerance, or another contact.rolling",
+        between[0] + 1, between[1] + 1, time));
   }
 
   /// Beyond the smaller radius the centres are about to pass each other, and no contact law means anything.
@@ -167,7 +188,8 @@ class Motion {
   MotionOutcome outcome_;
   double next_step_ = 0.02;
   double first_kinetic_ = 0, last_kinetic_ = -1, still_since_ = 0;
-  int still_ = 0, events_ = 0;
+  int still_ = 0, events_ = 0, at_instant_ = 0;
+  double instant_ = -1;  ///< when the last events were
 };
 
 }  // namespace

@@ -77,7 +77,7 @@ struct MotionOutcome {
   double first_touch = -1;      ///< [s]; negative if nothing touched
   double last_separation = -1;  ///< [s]
   int touches = 0, ruptures = 0;
-  int slides = 0, rolls = 0;  ///< times that a contact began to slide, to roll
+  int slides = 0, rolls = 0;  ///< times that a contact began to slide, to roll, the first instant included
   bool resting = false;       ///< ended with contacts that cannot part
   int open_contacts = 0;      ///< that touch at the end
   double max_overlap = 0;     ///< [m]

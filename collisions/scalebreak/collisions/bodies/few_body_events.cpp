@@ -29,28 +29,31 @@ void FewBodySystem::set_roll(State& y, std::size_t c, const Slider<3>& slider, s
 
 void FewBodySystem::change_roll(State& y, std::size_t c, std::vector<Change>& changes) {
   const MappedLaws& mapped = laws_[links_[c].pair];
-  Slider<3> slider = evaluated_[c].roll;
   if (!mapped.laws.rolling.rigid()) {
     const Evaluated& e = evaluated_[c];
+    Slider<3> slider = e.roll;
     slider.let_go(e.roll_law, e.roll_speed, e.roll_acceleration, time_rate_ * mapped.length);
-  } else if (slider.grip == Grip::holds) {  // what was needed to hold it is beyond the limit: it goes the way it was pushed
-    slider.slide_along(evaluated_[c].torque);
-  } else {  // at rest: can the limit hold it?
-    links_[c].roll = Grip::holds;
-    evaluate(y);
-    links_[c].roll = Grip::slides;
-    const Evaluated& e = evaluated_[c];
-    slider = {};
-    if (e.torque.norm() > e.roll_law.limit) slider.slide_along(e.torque);
-    if (slider.grip == Grip::holds) {  // what little rolling is left would be held too; without it the angular momentum is the same
-      const std::size_t i = static_cast<std::size_t>(links_[c].first), j = static_cast<std::size_t>(links_[c].second);
-      const Vector3d left = e.at.normal.cross(e.roll_speed) / mapped.spin;
-      const double first = 1 / bodies_[i].inertia, second = 1 / bodies_[j].inertia;
-      put(y, body_at(i) + 6, at(y, body_at(i) + 6) - left * (first / (first + second)));
-      put(y, body_at(j) + 6, at(y, body_at(j) + 6) + left * (second / (first + second)));
-    }
+    return set_roll(y, c, slider, changes);
   }
-  set_roll(y, c, slider, changes);
+  // Can the limit hold it, at rest?
+  const Grip before = links_[c].roll;
+  links_[c].roll = Grip::holds;
+  stop_rigid_rolling(y);
+  evaluate(y);
+  links_[c].roll = before;
+  if (before != Grip::holds && evaluated_[c].torque.norm() <= evaluated_[c].roll_law.limit) return set_roll(y, c, {}, changes);
+  // What was needed to hold it is beyond the limit: it goes the way it is pushed. In a closed loop none can go alone: with it go those that
+  // have as little left to hold it by.
+  constexpr double at_limit = 1 - 1e-9;
+  for (std::size_t other = 0; other < links_.size(); ++other) {
+    const Evaluated& e = evaluated_[other];
+    const bool held = links_[other].touching && laws_[links_[other].pair].laws.rolling.acts() &&
+                      laws_[links_[other].pair].laws.rolling.rigid() && links_[other].roll == Grip::holds;
+    if (other != c && !(held && e.torque.norm() > at_limit * e.roll_law.limit)) continue;
+    Slider<3> slider;
+    slider.slide_along(e.torque);
+    set_roll(y, other, slider, changes);
+  }
 }
 
 std::vector<FewBodySystem::Change> FewBodySystem::apply(std::size_t k, State& y) {
@@ -135,6 +138,11 @@ std::vector<FewBodySystem::Change> FewBodySystem::apply(std::size_t k, State& y)
   }
   relink();
   return changes;
+}
+
+std::array<int, 2> FewBodySystem::bodies_of(std::size_t k) const {
+  const std::size_t c = k / static_cast<std::size_t>(LinkEvent::count);
+  return c < links_.size() ? std::array{links_[c].first, links_[c].second} : std::array{-1, -1};
 }
 
 double FewBodySystem::roll_event(const Link& link, const Evaluated& e) const {

@@ -11,10 +11,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Where the limit of a slider falls to zero its direction turns ever faster, to no effect: below this share of the limit's
-/// size in the scene it is let be, which costs an impulse of the square of this.
-constexpr double direction_floor = 1e-6;
-
 Vector3d in_plane(const Vector3d& v, const Vector3d& normal) { return v - normal * normal.dot(v); }
 
 }  // namespace

@@ -5,12 +5,27 @@
 #include <Eigen/Geometry>
 
 #include <scalebreak/collisions/bodies/few_body_system.hpp>
+#include <scalebreak/scene/check_bodies.hpp>
 
 // Contacts and bridges that begin and end.
 
 namespace scalebreak {
 
 using Eigen::Vector3d;
+
+void FewBodySystem::begin(State& y, std::vector<Change>& changes) {
+  for (std::size_t i = 0, pair = 0; i < bodies_.size(); ++i) {
+    for (std::size_t j = i + 1; j < bodies_.size(); ++j, ++pair) {
+      if (bodies_[i].plane || (!std::isfinite(bodies_[i].mass) && !std::isfinite(bodies_[j].mass))) continue;
+      const ContactLaws& laws = laws_[pair].laws;
+      const bool attracts = laws.liquid.acts() || std::visit([](const auto& law) { return law.force(law.touch()) < 0; }, laws.normal);
+      const double radius = bodies_[j].plane ? bodies_[i].radius : std::min(bodies_[i].radius, bodies_[j].radius);
+      const Geometry g = geometry(y, i, j);
+      const bool at_touch = g.gap <= 1e-12 * radius && g.gap >= -touching_overlap * radius;  // a gap by rounding alone is none
+      if (attracts && at_touch && std::abs(g.velocity.dot(g.normal)) <= 1e-12 * speed_unit_) touch(y, i, j, changes);
+    }
+  }
+}
 
 bool FewBodySystem::fly(State& y, std::vector<Change>& changes) {
   const double never = std::numeric_limits<double>::infinity();
@@ -77,6 +92,8 @@ void FewBodySystem::touch(State& y, std::size_t i, std::size_t j, std::vector<Ch
   first_modes(y, c);
   relink();
   changes.push_back({ContactChange::touch, link.first, link.second});
+  if (link.slide != Grip::holds) changes.push_back({ContactChange::slide, link.first, link.second});
+  if (link.roll != Grip::holds) changes.push_back({ContactChange::roll, link.first, link.second});
 }
 
 /// Does the contact slide and roll from its first instant? Asked a little into it, with springs stretched as the motion would.

@@ -6,6 +6,7 @@
 #include <Eigen/LU>
 
 #include <scalebreak/collisions/bodies/few_body_system.hpp>
+#include <scalebreak/collisions/bodies/normal_well.hpp>
 
 // When nothing can part or meet any more.
 
@@ -74,19 +75,6 @@ bool may_meet(const Cluster& a, const Cluster& b) {
   return between.squaredNorm() - closing * closing / velocity.squaredNorm() < reach * reach;
 }
 
-/// Potential of the normal law and of a constant pull at x, above its minimum.
-template <class Law>
-double above_well(const Law& law, double x, double pull) {
-  const auto potential = [&](double at) { return law.energy(at) - pull * law.overlap(at); };
-  double low = law.touch(), high = x > low ? x : low + 1e-12;
-  while (law.force(high) < pull) high *= 2;
-  for (int i = 0; i < 60; ++i) {
-    const double middle = (low + high) / 2;
-    (law.force(middle) < pull ? low : high) = middle;
-  }
-  return potential(x) - potential(high);
-}
-
 }  // namespace
 
 bool FewBodySystem::rests(const State& y) const {
@@ -123,7 +111,11 @@ bool FewBodySystem::rests(const State& y) const {
     const MappedLaws& mapped = laws_[links_[c].pair];
     const double pull = mapped.laws.liquid.capillary_force(mapped.laws.liquid.separation_min);
     return mapped.force / mapped.length *
-           std::visit([&](const auto& law) { return above_well(law, y[link_at(c) + coordinate], pull); }, mapped.laws.normal);
+           std::visit(
+               [&](const auto& law) {
+                 return well_energy(law, y[link_at(c) + coordinate], pull) - well_energy(law, well_bottom(law, pull), pull);
+               },
+               mapped.laws.normal);
   };
   for (std::size_t c = 0; c < links_.size(); ++c) home(links_[c]).stored += spare(c);
   for (std::size_t c = 0; c < links_.size(); ++c) {

@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <type_traits>
 
 #include <scalebreak/base/error.hpp>
 #include <scalebreak/collisions/bodies/few_body_system.hpp>
+#include <scalebreak/collisions/bodies/normal_well.hpp>
 
 // The units of a motion, and its state.
 
@@ -13,24 +13,18 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Depth of the potential well below first touch (0 without adhesion), and the coordinate that an energy reaches.
+/// Depth of the potential well below first touch (0 without attraction) [J], and the coordinate that an energy reaches.
 struct Reach {
   double depth, coordinate;
 };
 template <class Law>
-Reach reach(const Law& law, double energy) {
-  double depth = 0, x = law.touch();
-  if constexpr (std::is_same_v<Law, Jkr<double>> || std::is_same_v<Law, Jkr<double, DampingOn::overlap>>) {
-    x = std::cbrt(law.adhesive_force / law.stiffness);  // where the force is zero
-    depth = -law.energy(x);
-  }
-  const double wanted = energy + depth;
-  double high = x > 0 ? 2 * x : 1e-12;
-  while (law.energy(high) < wanted) high *= 2;
-  double low = x;
+Reach reach(const Law& law, double energy, double pull) {
+  const double bottom = well_bottom(law, pull), depth = -well_energy(law, bottom, pull);
+  double low = bottom, high = low > 0 ? 2 * low : 1e-12;
+  while (well_energy(law, high, pull) < energy) high *= 2;
   for (int i = 0; i < 60; ++i) {
     const double middle = (low + high) / 2;
-    (law.energy(middle) < wanted ? low : high) = middle;
+    (well_energy(law, middle, pull) < energy ? low : high) = middle;
   }
   return {depth, high};
 }
@@ -51,7 +45,7 @@ FewBodySystem::FewBodySystem(std::vector<MovingBody> bodies, const std::function
 
 std::size_t FewBodySystem::pair_index(std::size_t i, std::size_t j) const { return i * (2 * bodies_.size() - i - 1) / 2 + (j - i - 1); }
 
-/// The scene is measured by its largest relative speed, of surfaces too, or by what adhesion gives where all is at rest; a contact
+/// The scene is measured by its largest relative speed, of surfaces too, or by what attraction gives where all is at rest; a contact
 /// by the overlap that this speed reaches.
 void FewBodySystem::set_units() {
   double speed = 0;
@@ -71,7 +65,7 @@ void FewBodySystem::set_units() {
         std::visit(
             [&](const auto& law) {
               const double energy = mass * speed * speed / 2 * mapped.length / mapped.force;
-              const auto [depth, x] = reach(law, energy);
+              const auto [depth, x] = reach(law, energy, mapped.laws.liquid.capillary_force(mapped.laws.liquid.separation_min));
               scales.depth = depth * mapped.force / mapped.length;
               scales.coordinate = x;
               scales.overlap = law.overlap(x);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -35,6 +36,10 @@ enum class LinkEvent { phase_end, phase_begin, slide, skid, roll, load_sign, nea
 inline constexpr double begin_share = 1e-4, end_share = 1e-5;
 [[nodiscard]] inline bool flat_touch(const ContactLaws& laws) { return std::holds_alternative<Hertz<double>>(laws.normal); }
 
+/// Where the limit of a slider falls to zero its direction turns ever faster, to no effect: below this share of the limit's
+/// size in the scene it is let be, which costs an impulse of the square of this.
+inline constexpr double direction_floor = 1e-6;
+
 /// State: position, velocity and spin of each body; then a block per link; then the time. The integrator's
 /// variable s runs so that all of it is smooth in s: dt/ds falls to zero where a contact begins or tears.
 class FewBodySystem {
@@ -57,6 +62,9 @@ class FewBodySystem {
   /// Carries out event `k`; what changed, for those who want to know. Sets `duration_over` for the last event.
   std::vector<Change> apply(std::size_t k, State& y);
 
+  /// The bodies whose contact event `k` is of, or −1 if it is of none.
+  [[nodiscard]] std::array<int, 2> bodies_of(std::size_t k) const;
+
   [[nodiscard]] State start() const;
   [[nodiscard]] std::vector<MovingBody> bodies(const State& y) const;
   [[nodiscard]] EnergyAccount account(const State& y);
@@ -74,8 +82,15 @@ class FewBodySystem {
   [[nodiscard]] double turned(const State& y, const Link& link) const;
   [[nodiscard]] double time(const State& y) const { return y.back(); }
   [[nodiscard]] double time_unit() const { return time_unit_; }
+  /// Time per unit of the integrator's variable.
+  [[nodiscard]] double time_rate(const State& y) {
+    evaluate(y);
+    return time_rate_;
+  }
   [[nodiscard]] bool duration_over() const { return duration_over_; }
 
+  /// Links what touches at the start without approach, and attracts: it begins to pull.
+  void begin(State& y, std::vector<Change>& changes);
   /// Without links: moves on to the next touch and links it; false if there is none before the end.
   bool fly(State& y, std::vector<Change>& changes);
   /// No contact can ever part: each lacks more energy for it than all that moves could give.
@@ -140,6 +155,12 @@ class FewBodySystem {
   void evaluate_forces(const State& y, const Link& link, std::size_t at, Evaluated& e) const;
   void add_forces(const Link& link, const Evaluated& e);
   void hold_rigid_rolling(const State& y);
+  void stop_rigid_rolling(State& y) const;
+  [[nodiscard]] std::vector<std::size_t> rigidly_held() const;
+  [[nodiscard]] double torque_share(const Link& link, const Link& other) const;
+  [[nodiscard]] Eigen::VectorXd holding_torques(const std::vector<std::size_t>& held, const Eigen::VectorXd& missing) const;
+  [[nodiscard]] Eigen::VectorXd around_loops(const std::vector<std::size_t>& held, const Eigen::MatrixXd& effect,
+                                             const Eigen::VectorXd& missing) const;
   void finish_rates(const State& y, const Link& link, std::size_t at, Evaluated& e) const;
   [[nodiscard]] Eigen::Vector3d rigid_turning(const Link& link, const Evaluated& e) const;
   [[nodiscard]] double roll_event(const Link& link, const Evaluated& e) const;

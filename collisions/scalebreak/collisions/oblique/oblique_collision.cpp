@@ -151,6 +151,7 @@ class PlanarSystem {
   bool apply(std::size_t event, State& y, ObliqueOutcome& outcome) {
     evaluate(y);
     rates(y);
+    const bool held = slide_.grip == Grip::holds, roll_held = roll_.grip == Grip::holds;
     switch (event) {
       case phase_end:
         if (!rooted_ || law_.separation() >= law_.touch()) {
@@ -161,14 +162,9 @@ class PlanarSystem {
         if (laws_.rolling.on_overlap()) roll_ = {};
         break;
       case phase_begin: enter_phase(true, y); break;
-      case slip_end:
-        outcome.holds -= slide_.grip == Grip::holds;
-        slide_.let_go(slide_law_, slide_speed_, slide_acceleration_, dt_);
-        outcome.holds += slide_.grip == Grip::holds;
-        outcome.slips += slide_.grip != Grip::holds;
-        break;
+      case slip_end: slide_.let_go(slide_law_, slide_speed_, slide_acceleration_, dt_); break;
       case skid_begin: slide_.skid(slide_law_, slide_speed_); break;
-      case roll_change: change_roll(y, outcome); break;
+      case roll_change: change_roll(y); break;
       case load_sign:
         load_sign_ = -load_sign_;
         evaluate(y);
@@ -184,6 +180,10 @@ class PlanarSystem {
         break;
       default: break;
     }
+    const bool holds = slide_.grip == Grip::holds;
+    outcome.slips += held && !holds;
+    outcome.holds += !held && holds;
+    outcome.rolls += roll_held && roll_.grip != Grip::holds;
     keep(y);
     return false;
   }
@@ -203,7 +203,7 @@ class PlanarSystem {
     clock_ = (rooted_ ? root_unit_ : scales_.coordinate) / scales_.speed;
   }
 
-  void change_roll(const State& y, ObliqueOutcome& outcome) {
+  void change_roll(const State& y) {
     if (!laws_.rolling.rigid()) {
       roll_.let_go(roll_law_, roll_speed_, roll_acceleration_, dt_);
     } else if (roll_.grip == Grip::holds) {
@@ -213,7 +213,6 @@ class PlanarSystem {
       evaluate(y);
       if (std::abs(torque_[0]) > roll_law_.limit) roll_.slide_along(torque_);
     }
-    outcome.rolls += roll_.grip != Grip::holds;
   }
 
   /// Forces and accelerations.

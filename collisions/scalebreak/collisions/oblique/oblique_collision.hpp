@@ -37,7 +37,7 @@ struct ObliqueOutcome {
   double max_overlap = 0;
   int slips = 0;  ///< times that it began to slide, the first instant included
   int holds = 0;  ///< times that it stopped sliding
-  int rolls = 0;  ///< times that its rolling spring reached its limit
+  int rolls = 0;  ///< times that it began to roll at its limit, the first instant included
   bool sliding_at_end = false;
   int steps = 0;
 };

@@ -276,7 +276,7 @@ CaseResult run_three_particles(const Input& input, const std::function<void(doub
   add_bars(result, comparisons, input);
   result.notes = {
       fmt::format(
-          "Gap 0: the three spheres touch at the start. The paper gives no gap, and RPS maps overlaps but not gaps, so that only touching "
+          "The spheres of the row all but touch at the start: the paper gives no gap, and RPS maps overlaps but not gaps, so that only such "
           "spheres meet at the same dimensionless times at every stiffness. Middle and bottom approach each other at once; the top sphere "
           "begins to press when the middle one has been slowed down."),
       fmt::format("Every system is followed to dimensionless time {:.4g} ({:.4g} s of the original), and measured by its own stiffness.",

@@ -2,32 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include <fmt/format.h>
 
 #include <scalebreak/base/error.hpp>
-#include <scalebreak/collisions/normal/normal_collision.hpp>
 #include <scalebreak/collisions/tables/patch_builder.hpp>
-#include <scalebreak/contact/reduced.hpp>
+#include <scalebreak/collisions/tables/reduced_impact.hpp>
 
 namespace scalebreak {
 namespace {
 
-/// Below this share of ψ₀ sliding does not matter, and beyond so many ψ₀ nothing new happens.
-constexpr double least_ratio = 1e-3, most_ratio = 1e6, most_turning_ratio = 300;
+/// Beyond so many ψ₀ the turning's share is not tabulated.
+constexpr double most_turning_ratio = 300;
 /// Errors of the turning are errors of a small correction: of it over a table's tolerance, and the narrowest cell over that.
 constexpr double turning_tolerance = 200, narrowest_turning = 1.0 / 128 / 1e-4;
-
-NormalPair reduced_normal_pair(const ObliqueKey& key) {
-  const bool jkr = key.kind.adhesive();
-  return {.mass = 1,
-          .radius = 1,
-          .young = jkr ? 3.0 : 1.0,
-          .surface_energy = jkr ? 1 / (3 * std::numbers::pi) : 0.0,
-          .spring_constant = 1,
-          .damping_ratio = key.damping_ratio};
-}
 
 /// Largest overlap of the normal collision at v̂: what the turning is measured by.
 double largest_overlap(const ObliqueKey& key, double speed) {
@@ -74,11 +62,7 @@ ObliqueKeyOrReason oblique_key(const ContactKind& kind, const SurfaceKind& surfa
       .inertia = inertia,
       .share = surface.torque_arm == TorqueArm::contact ? share : 0.5,
       .tolerance = tolerance};
-  if (linear && kind.normal == NormalModel::linear) key.stiffness = surfaces.spring_constant_tangential / pair.spring_constant;
-  if (linear && kind.adhesive()) {
-    const auto scales = jkr_scales(pair.radius, pair.young, pair.surface_energy, pair.mass);
-    key.stiffness = surfaces.spring_constant_tangential * scales.overlap / scales.force;
-  }
+  if (linear) key.stiffness = reduced_spring(kind, pair, surfaces.spring_constant_tangential);
   return {key, ""};
 }
 
@@ -91,7 +75,7 @@ ObliqueKeyOrReason oblique_key(const Input& input, double tolerance) {
 }
 
 ObliquePair reduced_oblique_pair(const ObliqueKey& key, double depth) {
-  const NormalPair normal = reduced_normal_pair(key);
+  const NormalPair normal = reduced_normal_pair(key.kind, key.damping_ratio);
   SurfacePair surfaces{};
   surfaces.shear = key.stiffness * normal.young;
   surfaces.spring_constant_tangential = key.stiffness;
@@ -141,24 +125,17 @@ TurningEntry exact_turning_entry(const ObliqueKey& key, double speed, double rat
 
 ObliqueTable build_oblique_table(const ObliqueKey& key, int threads, const std::function<void(double)>& progress) {
   const bool adhesive = key.kind.adhesive();
-  const double stick = reduced_sticking_speed(key.kind, key.damping_ratio), stick_squared = adhesive ? stick * stick : 0.0;
-  if (!std::isfinite(stick)) throw WorkError("every collision of this pair sticks: its damping ratio is 1 or more");
-  const double psi = half_way(key);
-  const auto speed_at = [&](double x, double least) {
-    if (!adhesive) return 1.0;
-    const double first = ObliqueTable::first_coordinate(), last = ObliqueTable::last_coordinate();
-    const double excess = CollisionTable::excess_squared_at(first + x * (last - first));
-    return std::sqrt(std::max(excess, least * (1 + stick_squared)) + stick_squared);
-  };
-  const auto ratio_at = [&](double y, double most) { return psi * std::clamp(y < 1 ? y / (1 - y) : most, least_ratio, most); };
+  const double stick_squared = reduced_sticking_squared(key.kind, key.damping_ratio);
+  const ImpactPlane plane{adhesive, stick_squared, half_way(key)};
   const double exact = std::min(1e-8, 1e-4 * key.tolerance);
   const auto entry_at = [&](double x, double y) {
-    const ObliqueEntry entry = exact_oblique_entry(key, speed_at(x, TableBounds::excess_min / 2), ratio_at(y, most_ratio), exact);
+    const ObliqueEntry entry =
+        exact_oblique_entry(key, plane.speed_at(x, TableBounds::excess_min / 2), plane.ratio_at(y, least_ratio, most_ratio), exact);
     return Eigen::Array2d(entry.surface_restitution, entry.lag);
   };
   const auto turning_at = [&](double x, double y) {
-    const double ratio = ratio_at(y, most_turning_ratio), one = 1 + ratio;
-    const TurningEntry entry = exact_turning_entry(key, speed_at(x, ObliqueTable::turning_excess / 2), ratio);
+    const double ratio = plane.ratio_at(y, least_ratio, most_turning_ratio), one = 1 + ratio;
+    const TurningEntry entry = exact_turning_entry(key, plane.speed_at(x, ObliqueTable::turning_excess / 2), ratio);
     const Eigen::Array3d size(one * one, one, 1);
     Eigen::Array<double, 10, 1> value;
     value << entry.normal / size, entry.tangential / size, entry.sliding / size, 0.0;
@@ -172,12 +149,10 @@ ObliqueTable build_oblique_table(const ObliqueKey& key, int threads, const std::
   rough.narrowest = std::min(1.0 / 16, narrowest_turning * key.tolerance);  // across a kink the correction jumps
   auto turnings = build_patches<10>(turning_at, rough);
 
-  // Measured where no node is: the points of Roberts' sequence.
   constexpr int samples = 4000, turning_samples = 400;
   std::vector<double> errors(samples), turning_errors(turning_samples);
-  const auto point = [](int i, double step) { return std::fmod(0.5 + step * (i + 1), 1.0); };
   parallel_for(samples, threads, [&](int i) {
-    const double x = adhesive ? point(i, 0.7548776662466927) : 0.5, y = point(i, 0.5698402909980532);
+    const auto [x, y] = sample_point(adhesive, i);
     errors[static_cast<std::size_t>(i)] = (entries.at(x, y) - entry_at(x, y)).abs().maxCoeff();
     if (i < turning_samples) turning_errors[static_cast<std::size_t>(i)] = (turnings.at(x, y) - turning_at(x, y)).abs().maxCoeff();
   });
@@ -189,7 +164,7 @@ ObliqueTable build_oblique_table(const ObliqueKey& key, int threads, const std::
   quality.error_rms = std::sqrt(quality.error_rms);
   std::nth_element(turning_errors.begin(), turning_errors.begin() + turning_samples / 2, turning_errors.end());
   quality.turning_error_median = turning_errors[turning_samples / 2];
-  return {key, stick_squared, psi, std::move(entries), std::move(turnings), quality};
+  return {key, plane.sticking_squared, plane.half_way, std::move(entries), std::move(turnings), quality};
 }
 
 }  // namespace scalebreak

@@ -6,8 +6,10 @@
 #include <fmt/format.h>
 
 #include <scalebreak/collisions/tables/oblique_table_builder.hpp>
+#include <scalebreak/collisions/tables/rolling_table_builder.hpp>
 #include <scalebreak/collisions/tables/table_builder.hpp>
 #include <scalebreak/table/oblique_table_file.hpp>
+#include <scalebreak/table/rolling_table_file.hpp>
 #include <scalebreak/table/table_file.hpp>
 
 namespace scalebreak {
@@ -53,6 +55,13 @@ StoredObliqueTable obtain_oblique_table(const ObliqueKey& key, const TableStore&
       oblique_table_file_name(key), store, rebuild, [&] { return read_oblique_table(store.folder, key); },
       [&] { return build_oblique_table(key, store.threads, store.progress); },
       [&](const ObliqueTable& table) { write_oblique_table(store.folder, table); });
+}
+
+StoredRollingTable obtain_rolling_table(const RollingKey& key, const TableStore& store, bool rebuild) {
+  return obtain<StoredRollingTable>(
+      rolling_table_file_name(key), store, rebuild, [&] { return read_rolling_table(store.folder, key); },
+      [&] { return build_rolling_table(key, store.threads, store.progress); },
+      [&](const RollingTable& table) { write_rolling_table(store.folder, table); });
 }
 
 CollisionSource::CollisionSource(const CollisionTable& table, double damping_ratio, double exact_tolerance)

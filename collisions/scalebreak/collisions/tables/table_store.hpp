@@ -6,6 +6,7 @@
 
 #include <scalebreak/table/collision_table.hpp>
 #include <scalebreak/table/oblique_table.hpp>
+#include <scalebreak/table/rolling_table.hpp>
 
 namespace scalebreak {
 
@@ -40,6 +41,14 @@ struct StoredObliqueTable {
 
 /// The same for an oblique table.
 [[nodiscard]] StoredObliqueTable obtain_oblique_table(const ObliqueKey& key, const TableStore& store, bool rebuild = false);
+
+/// And for a rolling table.
+struct StoredRollingTable {
+  RollingTable table;
+  bool built = false;
+  double build_seconds = 0;  ///< 0 if it was read
+};
+[[nodiscard]] StoredRollingTable obtain_rolling_table(const RollingKey& key, const TableStore& store, bool rebuild = false);
 
 /// Collisions by table where it reaches, exactly where it does not, and how often each.
 class CollisionSource {

@@ -89,6 +89,8 @@ struct ForceTask {
   bool turns = false;       ///< do spheres have spins?
   bool sums_moment = false;
   std::uint32_t own_begin = 0, own_end = 0;  ///< spheres of this thread; others are deferred
+  Quad* pair_force = nullptr;   ///< where told of: of each pair, on its second; w is not used
+  Quad* pair_branch = nullptr;  ///< from its first centre to its second, or to the wall's plane
   Deferred* deferred = nullptr;
   std::uint32_t deferred_count = 0;
   /// Called where a pair begins to act, if each pair has a row of its own: must set pairs.row[k].

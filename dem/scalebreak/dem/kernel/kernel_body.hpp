@@ -177,6 +177,7 @@ struct ForceLoop {
     store(spheres.force[i], load(spheres.force[i]) - force);
     task.tally.touches += block.solid[n] * (task.wall ? 0.5 : 1.0);
     if (task.sums_moment) sum_moment(n);
+    if (task.pair_force) task.pair_force[k] = block.force[n], task.pair_branch[k] = block.branch[n];
     if constexpr (turns) {
       Four torque = load(block.torque1[n]);
       torque[3] = 0;
@@ -231,7 +232,7 @@ void move_spheres(MoveTask& task) {
   const SpheresView& s = task.spheres;
   const double dt = task.step;
   const Four step = {dt, dt, dt, 0}, half = {dt / 2, dt / 2, dt / 2, 0}, gravity = load(task.gravity);
-  Four fastest = all(0);
+  Four fastest = all(0), poison = all(0);  // of what is not a number, not a number comes out
   const auto one = [&](std::uint32_t i) __attribute__((always_inline)) {
     const Four velocity = load(s.velocity[i]), position = load(s.position[i]);
     const Four acceleration = load(s.force[i]) * all(velocity[3]) + gravity;
@@ -243,6 +244,7 @@ void move_spheres(MoveTask& task) {
     peculiar[0] -= task.shear_rate * (there[2] - task.middle);
     peculiar *= peculiar;
     fastest = fastest > peculiar ? fastest : peculiar;
+    poison += peculiar - peculiar;
     if constexpr (estimates) store(task.estimate[i], moved + acceleration * half);
     if constexpr (turns) {
       const Four spin = load(s.spin[i]), turned = load(s.torque[i]) * all(spin[3]);
@@ -256,7 +258,7 @@ void move_spheres(MoveTask& task) {
   } else {
     for (std::uint32_t i = task.begin; i < task.end; ++i) one(i);
   }
-  task.fastest_squared = fastest[0] + fastest[1] + fastest[2];
+  task.fastest_squared = fastest[0] + fastest[1] + fastest[2] + poison[0] + poison[1] + poison[2];
 }
 
 inline void move(MoveTask& task) {

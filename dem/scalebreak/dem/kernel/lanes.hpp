@@ -11,7 +11,7 @@ using Four [[gnu::vector_size(32)]] = double;
   std::memcpy(&four, &quad, sizeof four);
   return four;
 }
-[[gnu::always_inline]] inline void store(Quad& quad, Four four) { std::memcpy(&quad, &four, sizeof four); }
+[[gnu::always_inline]] inline void store(Quad& quad, Four four) { std::memcpy(static_cast<void*>(&quad), &four, sizeof four); }
 [[gnu::always_inline]] inline Four all(double x) { return Four{x, x, x, x}; }
 
 /// One component of `width` neighbouring quads.

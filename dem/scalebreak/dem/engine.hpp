@@ -1,0 +1,130 @@
+#pragma once
+
+#include <exception>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <scalebreak/dem/dem.hpp>
+#include <scalebreak/dem/law_rows.hpp>
+#include <scalebreak/dem/lists/grid.hpp>
+#include <scalebreak/dem/lists/images.hpp>
+#include <scalebreak/dem/lists/pairs.hpp>
+#include <scalebreak/dem/lists/skins.hpp>
+#include <scalebreak/dem/spheres.hpp>
+
+namespace scalebreak {
+
+/// What stands behind Dem. A step: spheres move, lists are made anew where that is due, forces. Every thread has a stretch of the sorted
+/// spheres and the pairs whose first sphere is in it; forces on the spheres of others are put down and fetched by their owner.
+class Dem::Engine {
+ public:
+  Engine(const System& start, const DemSetup& setup);
+  Engine(std::string_view saved, const DemSetup& setup);
+
+  void advance(long steps);
+
+  [[nodiscard]] System system() const;
+  [[nodiscard]] std::vector<ContactForce> contact_forces() const;
+  [[nodiscard]] double elastic_energy() const;
+  [[nodiscard]] std::string save() const;
+  [[nodiscard]] std::size_t bytes() const;
+  [[nodiscard]] double time() const { return start_time_ + setup_.step * static_cast<double>(steps_); }
+
+  long steps_ = 0;
+  bool keep_sums_ = true;
+  DemTotals totals_;
+  dem::Spheres spheres_;
+  const dem::Kernel& kernel_;
+
+ private:
+  /// A wall's near spheres, on one thread.
+  struct WallPairs {
+    dem::Pairs pairs;
+    std::vector<dem::Remembered> remembered;
+  };
+  /// What one thread works on.
+  struct Worker {
+    std::uint32_t begin = 0, end = 0;              ///< of the sorted spheres
+    std::vector<std::uint32_t> start, neighbours;  ///< of each of them
+    dem::Pairs pairs;
+    std::vector<dem::Remembered> remembered;
+    std::vector<WallPairs> walls;
+    std::vector<std::uint32_t> movers;
+    std::vector<dem::Deferred> deferred;
+    std::uint32_t deferred_count = 0;
+    dem::LawRows rows, wall_rows;  ///< its own, where each contact has a row
+    double fastest_squared = 0, resting_fastest_squared = 0;
+    dem::Tally tally;
+    std::exception_ptr failure;
+  };
+
+  // engine_setup.cpp
+  void set_up(const System& start);
+  [[nodiscard]] std::vector<std::uint32_t> sort_out_kinds(const System& start);
+  void make_rows();
+  void stand_walls();
+  void make_workers();
+  // engine_lists.cpp
+  void make_grid(const std::vector<ContactMemory>& contacts);
+  void wrap_spheres();
+  void hand_out(const std::vector<ContactMemory>& contacts);
+  void find_neighbours(Worker& worker);
+  void select_pairs(Worker& worker);
+  void select_walls(Worker& worker);
+  void reopen_rows(Worker& worker);
+  void find_movers(Worker& worker);
+  void bring_up_resting(Worker& worker);
+  // engine_step.cpp
+  void move(Worker& worker);
+  void plan_lists();
+  void add_forces(Worker& worker, double history_step);
+  void fetch_deferred(const Worker& worker);
+  void take_tallies();
+  void kick(std::uint32_t sphere, double share);
+  [[noreturn]] void unstable(double speed) const;
+  template <class Work>
+  void guarded(Worker& worker, Work work);
+  void rethrow();
+
+  [[nodiscard]] dem::ForceTask force_task(Worker& worker, dem::Pairs& pairs, const dem::WallView* wall, double history_step);
+  [[nodiscard]] dem::LawRows& rows_for(Worker& worker, bool wall);
+  [[nodiscard]] dem::LawRows::Kind kind_at(std::uint32_t sphere) const;
+  [[nodiscard]] bool has_slides() const { return rows_.mapped().laws.tangential.acts(); }
+  [[nodiscard]] bool has_rolls() const { return rows_.mapped().laws.rolling.acts() && !rows_.mapped().laws.rolling.rigid(); }
+  [[nodiscard]] double largest_reach() const;
+  [[nodiscard]] double travel_of(double fastest_squared) const;
+  [[nodiscard]] Cell cell_now() const { return advanced(cell_, setup_.step * static_cast<double>(steps_)); }
+  // engine_state.cpp
+  [[nodiscard]] std::vector<ContactMemory> contact_memories() const;
+  template <class Archive>
+  void archive_head(Archive& archive);
+  template <class Archive>
+  void archive_body(Archive& archive);
+
+  DemSetup setup_;
+  Cell cell_;  ///< at the start
+  double start_time_ = 0;
+  bool turns_ = false;
+  bool each_ = false;  ///< has each contact laws of its own?
+  std::vector<dem::LawRows::Kind> kinds_;
+  std::vector<std::uint8_t> material_;  ///< in the order of identity
+  dem::LawRows rows_, wall_rows_;
+  std::vector<dem::WallView> walls_;
+  double smallest_ = 0, largest_ = 0, volume_fraction_ = 0;  ///< radii [m]
+  double flow_rate_ = 0;                                     ///< of the profile that speeds are bounded about [1/s]
+
+  std::vector<Worker> workers_;
+  std::vector<std::uint8_t> moves_;  ///< of each sphere: is it near another?
+  std::optional<dem::Grid> grid_;
+  dem::Images images_;
+  double grid_offset_ = 0;  ///< of the image above when the grid was made [m]
+  dem::Skins skins_;
+  double fastest_squared_ = 0;
+  double travel_ = 0, travel_of_grid_ = 0;  ///< by which a gap can have closed since the last lists [m]
+  long steps_at_grid_ = 0, steps_since_lists_ = 0;
+  bool lists_due_ = false, grid_due_ = false, failed_ = false;
+};
+
+}  // namespace scalebreak

@@ -1,0 +1,146 @@
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include <scalebreak/base/error.hpp>
+#include <scalebreak/dem/engine.hpp>
+
+// What the engine shows of its state, and how it keeps it.
+
+namespace scalebreak {
+
+using namespace dem;
+
+namespace {
+
+Eigen::Vector3d vector(const Quad& quad) { return {quad.x, quad.y, quad.z}; }
+
+}  // namespace
+
+System Dem::Engine::system() const {
+  const std::size_t n = spheres_.count();
+  System system{.time = time(), .cell = cell_now()};
+  system.radius.resize(n), system.mass.resize(n), system.material = material_;
+  system.position.resize(n), system.velocity.resize(n), system.spin.assign(n, Eigen::Vector3d::Zero());
+  // Those near none are where they were when the lists were made.
+  const double steps = static_cast<double>(steps_since_lists_), late = steps * setup_.step,
+               fall = setup_.step * setup_.step * steps * (steps + 1) / 2, half = setup_.step / 2;
+  for (std::uint32_t k = 0; k < n; ++k) {
+    const std::uint32_t i = spheres_.id[k];
+    const Quad &x = spheres_.position[k], &v = spheres_.velocity[k];
+    const bool rests = !moves_[k];
+    system.radius[i] = x.w;
+    system.mass[i] = 1 / v.w;
+    system.position[i] = vector(x);
+    system.velocity[i] = vector(v);
+    if (rests) {
+      system.position[i] += late * system.velocity[i] + fall * setup_.gravity;
+      system.velocity[i] += late * setup_.gravity;
+    }
+    system.velocity[i] += half * (v.w * vector(spheres_.force[k]) + setup_.gravity);
+    if (turns_) system.spin[i] = vector(spheres_.spin[k]) + half * spheres_.spin[k].w * vector(spheres_.torque[k]);
+    wrap(system.cell, system.position[i], system.velocity[i]);
+  }
+  system.contacts = contact_memories();
+  return system;
+}
+
+std::vector<ContactMemory> Dem::Engine::contact_memories() const {
+  std::vector<ContactMemory> memories;
+  const auto put = [&](const Remembered& contact, std::int32_t second) {
+    memories.push_back({.first = static_cast<std::int32_t>(spheres_.id[contact.first]),
+                        .second = second,
+                        .touching = contact.state == touching,
+                        .begun = contact.begun,
+                        .sliding = vector(contact.slide),
+                        .rolling = vector(contact.roll)});
+  };
+  for (const Worker& worker : workers_) {
+    for (const Remembered& contact : worker.pairs.remember()) put(contact, static_cast<std::int32_t>(spheres_.id[contact.second]));
+    for (std::size_t w = 0; w < walls_.size(); ++w) {
+      for (const Remembered& contact : worker.walls[w].pairs.remember())
+        put(contact, -1 - 2 * walls_[w].axis - (walls_[w].side > 0 ? 1 : 0));
+    }
+  }
+  return memories;
+}
+
+std::vector<ContactForce> Dem::Engine::contact_forces() const {
+  // The forces once more, on copies, told of one by one.
+  Engine copy(*this);
+  std::vector<ContactForce> forces;
+  const auto visit = [&](Worker& worker, Pairs& pairs, const WallView* wall) {
+    std::vector<Quad> force(pairs.count), branch(pairs.count);
+    ForceTask task = copy.force_task(worker, pairs, wall, 0);
+    task.pair_force = force.data(), task.pair_branch = branch.data();
+    copy.kernel_.forces(task);
+    for (std::uint32_t k = 0; k < pairs.count; ++k) {
+      if (pairs.state[k] == apart) continue;
+      forces.push_back({.first = static_cast<std::int32_t>(spheres_.id[pairs.first[k]]),
+                        .second = wall ? -1 - 2 * wall->axis - (wall->side > 0 ? 1 : 0)
+                                       : static_cast<std::int32_t>(spheres_.id[sphere_of(pairs.second[k])]),
+                        .touching = pairs.state[k] == touching,
+                        .branch = vector(branch[k]),
+                        .force = -vector(force[k])});
+    }
+  };
+  for (Worker& worker : copy.workers_) {
+    worker.deferred_count = 0;
+    visit(worker, worker.pairs, nullptr);
+    for (std::size_t w = 0; w < walls_.size(); ++w) visit(worker, worker.walls[w].pairs, &walls_[w]);
+  }
+  return forces;
+}
+
+double Dem::Engine::elastic_energy() const {
+  const double scale = rows_.mapped().force / rows_.mapped().length;
+  double energy = 0;
+  const auto add = [&](const Pairs& pairs, const LawRows& rows, const WallView* wall) {
+    for (std::uint32_t k = 0; k < pairs.count; ++k) {
+      if (pairs.state[k] == apart) continue;
+      const Quad& here = spheres_.position[pairs.first[k]];
+      double gap = 0;
+      if (wall) {
+        gap = wall->side * (wall->place - (&here.x)[wall->axis]) - here.w;
+      } else {
+        const Quad &there = spheres_.position[sphere_of(pairs.second[k])], &shift = images_.shift[image_of(pairs.second[k])];
+        gap = (vector(there) + vector(shift) - vector(here)).norm() - here.w - there.w;
+      }
+      const ContactLaws& laws = rows.rows()[pairs.row[k]];
+      const double overlap = -gap * rows.mapped().length;
+      if (laws.liquid.acts()) energy += scale * laws.liquid.capillary_energy(-overlap);
+      if (pairs.state[k] != touching) continue;
+      ContactPoint point{.overlap = overlap};
+      std::visit(
+          [&](const auto& law) {
+            const double x = law.coordinate(overlap);
+            energy += scale * law.energy(x);
+            point.root = law.root_radius(x);
+            point.overlap_root = std::sqrt(std::sqrt(laws.radius * std::max(overlap, 0.0)));
+          },
+          laws.normal);
+      if (!pairs.slide.empty()) energy += scale / 2 * laws.tangential.at(point).stiffness * vector(pairs.slide[k]).squaredNorm();
+      if (pairs.roll.empty()) continue;
+      const SliderLaw rolling = laws.rolling.at(point);
+      const double square = vector(pairs.roll[k]).squaredNorm();
+      if (rolling.stiffness > 0) energy += scale / 2 * (rolling.incremental ? square / rolling.stiffness : square * rolling.stiffness);
+    }
+  };
+  for (const Worker& worker : workers_) {
+    add(worker.pairs, rows_.each() ? worker.rows : rows_, nullptr);
+    for (std::size_t w = 0; w < walls_.size(); ++w) add(worker.walls[w].pairs, rows_.each() ? worker.wall_rows : wall_rows_, &walls_[w]);
+  }
+  return energy;
+}
+
+std::size_t Dem::Engine::bytes() const {
+  std::size_t bytes = spheres_.bytes() + moves_.capacity() + material_.capacity();
+  for (const Worker& worker : workers_) {
+    bytes += (worker.start.capacity() + worker.neighbours.capacity() + worker.movers.capacity()) * sizeof(std::uint32_t);
+    bytes += worker.pairs.bytes() + worker.deferred.capacity() * sizeof(Deferred);
+    for (const WallPairs& wall : worker.walls) bytes += wall.pairs.bytes();
+  }
+  return bytes;
+}
+
+}  // namespace scalebreak

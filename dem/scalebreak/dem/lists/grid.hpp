@@ -1,0 +1,51 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include <scalebreak/cell/cell.hpp>
+#include <scalebreak/dem/kernel/kernel.hpp>
+
+namespace scalebreak::dem {
+
+/// The spheres of a cell in bins: one grid for each octave of sizes, so that small spheres beside large ones lie in small bins. Bins are
+/// numbered in strips (x fastest, then eight rows along y, then z), so that what is near in space is near in memory.
+class Grid {
+ public:
+  /// Spheres that are wrapped; `skin` is the largest gap of surfaces at which a pair is a pair of neighbours [m].
+  Grid(const Cell& cell, const std::vector<Quad>& position, double skin);
+
+  /// An order in which neighbours in space are neighbours in the list.
+  [[nodiscard]] std::vector<std::uint32_t> order() const;
+  /// To be called once the spheres are in that order.
+  void renumber();
+
+  /// Is a pair of spheres kept by its first?
+  [[nodiscard]] bool keeps(std::uint32_t first, std::uint32_t second) const {
+    return level_of_[first] != level_of_[second] ? level_of_[first] > level_of_[second] : first < second;
+  }
+  /// The neighbours of sphere i that are its own to keep: of two spheres in one octave, those after it; all of smaller octaves.
+  /// Appends them packed with their image.
+  void neighbours_of(std::uint32_t i, const std::vector<Quad>& position, const Quad* shift, std::vector<std::uint32_t>& neighbours) const;
+
+ private:
+  struct Level {
+    double largest = 0;            ///< radius [m]
+    Eigen::Vector3d low{0, 0, 0};  ///< corner of the bins: that of the cell, or of the spheres along an open axis
+    Eigen::Vector3d bin{1, 1, 1};  ///< edge [m]
+    std::array<int, 3> bins = {1, 1, 1};
+    std::vector<std::uint32_t> start, sphere;  ///< of each bin, and the spheres bin by bin
+  };
+  [[nodiscard]] std::size_t bin_number(const Level& level, int x, int y, int z) const;
+  [[nodiscard]] std::array<int, 3> bin_of(const Level& level, const Quad& position) const;
+  void search(const Level& level, bool later_only, std::uint32_t i, const std::vector<Quad>& position, const Quad* shift,
+              std::vector<std::uint32_t>& neighbours) const;
+
+  Cell cell_;
+  double skin_, offset_;
+  std::vector<Level> levels_;           ///< from the smallest
+  std::vector<std::uint8_t> level_of_;  ///< of each sphere
+};
+
+}  // namespace scalebreak::dem
