@@ -59,4 +59,10 @@ Checkpoint read_checkpoint(const std::filesystem::path& folder) {
   return checkpoint;
 }
 
+void remove_checkpoint(const std::filesystem::path& folder) {
+  std::error_code failed;
+  std::filesystem::remove(checkpoint_path(folder), failed);
+  if (failed) throw WorkError(fmt::format("cannot remove {}: {}", checkpoint_path(folder).string(), failed.message()));
+}
+
 }  // namespace scalebreak

@@ -29,4 +29,7 @@ void write_checkpoint(const std::filesystem::path& folder, const Checkpoint& che
 /// The checkpoint of a folder. Throws InputError where there is none, or another version's, or what is no checkpoint.
 [[nodiscard]] Checkpoint read_checkpoint(const std::filesystem::path& folder);
 
+/// Takes the checkpoint of a run away that is finished.
+void remove_checkpoint(const std::filesystem::path& folder);
+
 }  // namespace scalebreak

@@ -55,7 +55,7 @@ class Runner {
     if (options_.resume) {
       left = read_checkpoint(options_.out);
       refuse_another_run(*left, input_, options_);
-      finished_ = left->finished, wall_before_ = left->wall_seconds;
+      finished_ = left->finished, wall_before_ = left->wall_seconds, kept_time_ = left->time;
     } else if (keeps_files()) {
       refuse_to_overwrite(options_.out);
     }

@@ -47,7 +47,7 @@ struct RunOutcome {
 [[nodiscard]] std::filesystem::path replica_folder(const std::filesystem::path& out, std::uint64_t replica, std::uint64_t replicas);
 
 /// Runs a flow, replica after replica, with the soft-sphere engine. Writes the files of RunFiles, checkpoints every
-/// output.checkpoint_interval of wall time, and profiles.csv; a finished run leaves no checkpoint. Files of a run that was interrupted and
+/// output.checkpoint_interval of wall time, and profiles.csv. Files of a run that was interrupted and
 /// went on are those of one that was not, byte for byte, on the same number of threads. The threads of a run that goes on must be those that it had.
 ///
 /// Throws InputError, RunInterrupted, and WorkError where the run became unstable: then it says which checkpoint is left.
