@@ -98,6 +98,7 @@ void run(Options& options) {
   if (answered_early(options, [&](const Input& input) { return estimate(options, input); })) return;
   const Input input = options.resume ? input_to_go_on_with(options) : options.input();
   stop_on_signals();
+  if (!options.out.empty() && !options.resume) begin_run_folder(options.out, input_file_text(input, "run"));
   const RunOutcome outcome = run_flow(input, {.out = options.out,
                                               .threads = threads_of(options),
                                               .resume = options.resume,

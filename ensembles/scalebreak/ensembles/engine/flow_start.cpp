@@ -16,10 +16,15 @@ namespace {
 
 constexpr double same_mass = 1e-6;  ///< relative: a file may have fewer digits
 
+/// Homogeneous shear, or the linear profile between moving walls.
+Eigen::Vector3d flow_at_start(const Cell& cell, double height) {
+  return mean_flow(cell, height) + Eigen::Vector3d(cell.wall_speed * (2 * height / cell.size.z() - 1), 0, 0);
+}
+
 double root_mean_square_speed(const System& system) {
   double sum = 0;
   for (std::size_t i = 0; i < system.count(); ++i)
-    sum += (system.velocity[i] - mean_flow(system.cell, system.position[i].z())).squaredNorm();
+    sum += (system.velocity[i] - flow_at_start(system.cell, system.position[i].z())).squaredNorm();
   return std::sqrt(sum / static_cast<double>(system.count()));
 }
 
@@ -77,15 +82,19 @@ FlowStart from_file(const Input& input, const Flow& flow) {
 FlowStart flow_start(const Input& input, std::uint64_t replica) {
   Flow flow = scaled_flow(input, replica);
   if (!flow.file.empty()) return from_file(input, flow);
-  return {.system = fill({.cell = flow.cell,
-                          .radius = std::move(flow.radius),
-                          .material = std::move(flow.material),
-                          .mass = std::move(flow.mass),
-                          .speed = flow.speed,
-                          .seed = input.run.seed,
-                          .replica = replica}),
-          .speed = flow.speed,
-          .warnings = {}};
+  FlowStart start{.system = fill({.cell = flow.cell,
+                                  .radius = std::move(flow.radius),
+                                  .material = std::move(flow.material),
+                                  .mass = std::move(flow.mass),
+                                  .speed = flow.speed,
+                                  .seed = input.run.seed,
+                                  .replica = replica}),
+                  .speed = flow.speed,
+                  .warnings = {}};
+  System& system = start.system;
+  for (std::size_t i = 0; i < system.count(); ++i)  // what `fill` has given already is the homogeneous shear
+    system.velocity[i] += flow_at_start(system.cell, system.position[i].z()) - mean_flow(system.cell, system.position[i].z());
+  return start;
 }
 
 }  // namespace scalebreak

@@ -17,7 +17,7 @@ struct FlowStart {
 };
 
 /// A random filling, or the spheres of a file under the scaling law: radii, places and cell times its size factor, spins over it.
-/// Masses follow from the material. Throws InputError where a file does not say enough or its spheres overlap, and what `scaled_flow`
+/// Masses follow from the material. A filling between walls that move starts about the linear profile (Washino et al. 2024, section 5). Throws InputError where a file does not say enough or its spheres overlap, and what `scaled_flow`
 /// and `fill` throw.
 [[nodiscard]] FlowStart flow_start(const Input& input, std::uint64_t replica = 0);
 

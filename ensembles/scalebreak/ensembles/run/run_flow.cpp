@@ -182,6 +182,13 @@ std::filesystem::path replica_folder(const std::filesystem::path& out, std::uint
   return replicas == 1 ? out : out / fmt::format("replica_{}", replica + 1);
 }
 
+void begin_run_folder(const std::filesystem::path& out, const std::string& input_file) {
+  refuse_to_overwrite(out);
+  std::error_code failed;
+  std::filesystem::remove(out / "result.json", failed);  // of a run that is now gone
+  write_file(out / "input.toml", input_file);
+}
+
 RunOutcome run_flow(const Input& input, const RunOptions& options) { return Runner(input, options).run(); }
 
 }  // namespace scalebreak

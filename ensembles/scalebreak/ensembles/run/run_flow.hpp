@@ -43,8 +43,11 @@ struct RunOutcome {
   [[nodiscard]] double particle_steps() const;
 };
 
-/// Where the files of a replica of so many lie.
+/// Where the files of a replica of so many lie, from 0.
 [[nodiscard]] std::filesystem::path replica_folder(const std::filesystem::path& out, std::uint64_t replica, std::uint64_t replicas);
+
+/// Writes input.toml into the folder of a new run. Throws InputError where the folder holds an unfinished one.
+void begin_run_folder(const std::filesystem::path& out, const std::string& input_file);
 
 /// Runs a flow, replica after replica, with the soft-sphere engine. Writes the files of RunFiles, checkpoints every
 /// output.checkpoint_interval of wall time, and profiles.csv. Files of a run that was interrupted and
