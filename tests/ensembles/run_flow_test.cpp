@@ -89,6 +89,13 @@ TEST_F(RunFlow, AnUnstableRunSaysWhichCheckpointIsLeft) {
   EXPECT_THAT(message_of<WorkError>([&] { (void)run_flow(input, {}); }), testing::EndsWith("; there is no checkpoint yet"));
 }
 
+TEST_F(RunFlow, ParticleFilesHoldAllFields) {
+  input.output.fields = {ParticleField::radius, ParticleField::velocity};
+  EXPECT_EQ(message_of<InputError>([&] { (void)run_flow(input, {}); }),
+            "output.fields: found a list without material, and particle files always hold all of them; allowed: all four, or output.formats = "
+            "[]");
+}
+
 TEST_F(RunFlow, ReplicasDifferAndTheirMeanHasAnErrorFromThat) {
   input.run.replicas = 3;
   const RunOutcome all = run_into("all", input);
