@@ -45,7 +45,7 @@ EngineTotals DemEngine::totals() const {
   const DemTotals& totals = dem_.totals();
   return {.contact_starts = totals.contact_starts,
           .wall_work = totals.wall_work,
-          .shear_work = totals.shear_work,
+          .shear_work = {},  // Dem does not add it up: it is taken from the stress at samples
           .dissipated = {},
           .contact_time = totals.contact_time,
           .contact_moment = totals.contact_moment,
