@@ -7,7 +7,7 @@ namespace scalebreak {
 /// What a run will come to, before it starts.
 struct RunEstimate {
   double particles = 0, steps = 0;  ///< of one replica
-  double seconds = 0;               ///< wall time of all replicas; a guess within a factor of about 3
+  double seconds = 0;               ///< wall time of all replicas; a guess, within a factor of about 10
   double bytes = 0;                 ///< of memory
   double file_bytes = 0;            ///< of particle files, of all replicas
 };
