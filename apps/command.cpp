@@ -17,11 +17,16 @@ namespace scalebreak::apps {
 
 Input Options::input(const std::optional<std::string>& file) const {
   std::vector<Assignment> given;
+  if (flows && !file) given.push_back({"cell.kind", std::string(cell_kind_words[0]), {"default"}});
   if (file) given = read_toml_file(*file);
   for (const std::string& setting : settings) given.push_back(read_setting(setting));
   Input input = resolve_input(given);
   if (input.flow && !flows)
     throw InputError(fmt::format("{}: [particles] or [cell] make a flow, which this command does not take; allowed: a pair or bodies",
+                                 file.value_or("--set")));
+  if (!input.flow && flows)
+    throw InputError(fmt::format("{}: [particles] and [cell] are missing, and this command runs flows; allowed: one of the two, or the "
+                                 "command collide for a pair or bodies",
                                  file.value_or("--set")));
   return input;
 }
@@ -37,7 +42,7 @@ void Options::say(const std::string& sentence) const {
   if (!quiet) fmt::print(stderr, "scalebreak: {}\n", sentence);
 }
 
-std::function<void(double)> Options::progress(const std::string& what) const {
+std::function<void(double)> Options::progress(const std::string& what, double begun, std::function<std::string()> remark) const {
   if (quiet) return {};
   struct State {
     std::mutex mutex;
@@ -53,8 +58,8 @@ std::function<void(double)> Options::progress(const std::string& what) const {
     state->shown = percent;
     const double spent = std::chrono::duration<double>(std::chrono::steady_clock::now() - state->start).count();
     const std::string bar(static_cast<std::size_t>(percent / 4), '#');
-    fmt::print(stderr, "{}{}: [{:<25}] {:3d} %, {:.0f} s left{}", terminal ? "\r" : "", what, bar, percent,
-               done > 0 ? spent * (1 - done) / done : 0.0, terminal && percent < 100 ? "" : "\n");
+    fmt::print(stderr, "{}{}: [{:<25}] {:3d} %, {}{:.0f} s left{}", terminal ? "\r" : "", what, bar, percent, remark ? remark() + ", " : "",
+               done > begun ? spent * (1 - done) / (done - begun) : 0.0, terminal && percent < 100 ? "" : "\n");
     std::fflush(stderr);
   };
 }

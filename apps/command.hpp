@@ -25,6 +25,8 @@ struct Options {
   bool all_kinds = false, rebuild = false;  ///< of `table`
   bool list = false;                        ///< of `reproduce`
   bool flows = false;                       ///< takes flows, and not pairs and bodies alone
+  std::string engine = "auto";              ///< of `run`
+  bool resume = false;                      ///< of `run`
 
   /// The input of one file, or of none. Throws InputError for a flow if the command takes none.
   [[nodiscard]] Input input(const std::optional<std::string>& file) const;
@@ -32,8 +34,9 @@ struct Options {
   [[nodiscard]] TableStore store() const;
   /// A sentence on standard error, unless quiet.
   void say(const std::string& sentence) const;
-  /// A bar on standard error with the time left, unless quiet.
-  [[nodiscard]] std::function<void(double)> progress(const std::string& what) const;
+  /// A bar on standard error with the time left, unless quiet. `begun` is the share that was done earlier.
+  [[nodiscard]] std::function<void(double)> progress(const std::string& what, double begun = 0,
+                                                     std::function<std::string()> remark = {}) const;
 };
 
 /// Adds the common options; `most_files` input files are allowed.
@@ -61,5 +64,7 @@ void add_collide(CLI::App& app, Options& options, std::function<void()>& job);
 void add_table(CLI::App& app, Options& options, std::function<void()>& job);
 void add_invariance(CLI::App& app, Options& options, std::function<void()>& job);
 void add_reproduce(CLI::App& app, Options& options, std::function<void()>& job);
+void add_run(CLI::App& app, Options& options, std::function<void()>& job);
+void add_compare(CLI::App& app, Options& options, std::function<void()>& job);
 
 }  // namespace scalebreak::apps

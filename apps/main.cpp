@@ -26,6 +26,8 @@ int run(int argc, char** argv) {
   add_table(app, options, job);
   add_invariance(app, options, job);
   add_reproduce(app, options, job);
+  add_run(app, options, job);
+  add_compare(app, options, job);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -4,6 +4,7 @@
 #include <spawn.h>
 #include <sys/wait.h>
 
+#include <functional>
 #include <set>
 #include <string>
 #include <vector>
@@ -23,8 +24,8 @@ struct ProgramRun {
   [[nodiscard]] nlohmann::json json() const { return nlohmann::json::parse(out); }
 };
 
-/// Runs the program itself, with standard input closed and its two outputs kept apart.
-inline ProgramRun run(const std::vector<std::string>& arguments) {
+/// Runs the program itself, with standard input closed and its two outputs kept apart; `meanwhile` is told its process.
+inline ProgramRun run(const std::vector<std::string>& arguments, const std::function<void(pid_t)>& meanwhile = {}) {
   const TemporaryFolder folder;
   const std::string out = folder / "out", err = folder / "err";
   posix_spawn_file_actions_t actions;
@@ -41,6 +42,7 @@ inline ProgramRun run(const std::vector<std::string>& arguments) {
   const int failed = posix_spawn(&process, SCALEBREAK_PROGRAM, &actions, nullptr, argv.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
   if (failed != 0) throw std::runtime_error("cannot start " SCALEBREAK_PROGRAM);
+  if (meanwhile) meanwhile(process);
   int status = 0;
   waitpid(process, &status, 0);
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content_of(out), content_of(err)};

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <cstring>
 #include <string>
 #include <string_view>
@@ -39,6 +40,21 @@ inline void take_bytes(std::string_view& bytes, Eigen::ArrayXd& values) {
   }
   values.resize(size);
   for (double& value : values) take_bytes(bytes, value);
+}
+
+/// A text of any length, behind its length.
+inline void put_text(std::string& bytes, std::string_view text) {
+  put_bytes(bytes, static_cast<std::uint64_t>(text.size()));
+  bytes.append(text);
+}
+
+[[nodiscard]] inline std::string take_text(std::string_view& bytes) {
+  std::uint64_t size = 0;
+  take_bytes(bytes, size);
+  if (size > bytes.size()) throw WorkError("a saved state is cut short; start from an earlier one");
+  std::string text(bytes.substr(0, size));
+  bytes.remove_prefix(size);
+  return text;
 }
 
 }  // namespace scalebreak

@@ -1,0 +1,134 @@
+#include <atomic>
+#include <csignal>
+#include <thread>
+
+#include <fmt/format.h>
+
+#include <scalebreak/base/error.hpp>
+#include <scalebreak/ensembles/report/run_json.hpp>
+#include <scalebreak/ensembles/report/run_report.hpp>
+#include <scalebreak/ensembles/run/checkpoint.hpp>
+#include <scalebreak/ensembles/run/run_estimate.hpp>
+#include <scalebreak/ensembles/run/run_flow.hpp>
+#include <scalebreak/output/atomic_file.hpp>
+#include <scalebreak/scene/input_file.hpp>
+#include <scalebreak/scene/toml_reader.hpp>
+
+#include "command.hpp"
+
+namespace scalebreak::apps {
+namespace {
+
+using nlohmann::json;
+
+std::atomic<bool> told_to_stop = false;
+static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler sets it");
+
+/// The first SIGINT or SIGTERM asks for a checkpoint; a second one ends the program at once.
+void stop_on_signals() {
+  struct sigaction action = {};
+  action.sa_handler = [](int) { told_to_stop = true; };
+  action.sa_flags = static_cast<int>(SA_RESETHAND);
+  for (const int signal : {SIGINT, SIGTERM}) sigaction(signal, &action, nullptr);
+}
+
+int all_threads() { return static_cast<int>(std::max(1u, std::thread::hardware_concurrency())); }
+int threads_of(const Options& options) { return options.threads > 0 ? options.threads : all_threads(); }
+
+void refuse_other_engines(const std::string& engine) {
+  if (engine != "auto" && engine != "dem")
+    throw InputError(fmt::format("--engine: {} is not there yet; allowed: dem, or auto, which chooses it", engine));
+}
+
+std::string estimate(const Options& options, const Input& input) {
+  const RunEstimate e = estimate_run(input, threads_of(options));
+  return fmt::format("engine dem, {:.0f} spheres, {:.3g} steps, about {:.2g} s on {} threads, {:.2g} MB of memory, {:.2g} MB of particle files with --out",
+                     e.particles, e.steps, e.seconds, threads_of(options), e.bytes / 1e6, e.file_bytes / 1e6);
+}
+
+/// A run that goes on has its input and threads in the checkpoint; what is given must be the same.
+Input input_to_go_on_with(Options& options) {
+  if (options.out.empty()) throw InputError("--resume: --out is missing; allowed: --out with the folder of an unfinished run");
+  const Checkpoint checkpoint = read_checkpoint(options.out);
+  if (options.threads == 0) options.threads = checkpoint.threads;
+  if (!options.files.empty() || !options.settings.empty()) return options.input();
+  return resolve_input(read_toml(checkpoint.input, checkpoint_path(options.out).string()));
+}
+
+void print_run(const Options& options, const Input& input, const RunOutcome& outcome) {
+  const RunRecord& run = outcome.replicas.front();
+  fmt::print("engine            dem{}, {} threads\n",
+             options.engine == "auto" ? " (auto: the only one that runs flows so far)" : "", outcome.threads);
+  fmt::print("modelled          {}\n", modelled(input));
+  if (input.scaling_law != "none" || input.scaling_factor != 1)
+    fmt::print("scaled            {} at {:g}; what follows is the scaled system's\n", input.scaling_law, input.scaling_factor);
+  fmt::print("spheres           {} in {:.4g} x {:.4g} x {:.4g} m, volume fraction {:.4g}{}\n", run.particles, run.cell.x(), run.cell.y(),
+             run.cell.z(), run.volume_fraction,
+             outcome.replicas.size() > 1 ? fmt::format(" (the first of {} replicas)", outcome.replicas.size()) : "");
+  fmt::print("step              {:.4g} s, limited by {}; the smallest bound is that of the {}, {:.4g} s\n", run.schedule.step, run.step.limit,
+             run.step.bound, run.step.bound_step);
+  fmt::print("time              {:.6g} s, of which {:.6g} s measured, {} steps, {:.3g} s of wall time, {:.3g} particle steps per second\n",
+             run.time, outcome.measured.duration, run.steps, outcome.wall_seconds, outcome.particle_steps() / outcome.wall_seconds);
+  for (const Quantity& quantity : outcome.measured.quantities) fmt::print("{:<24}{}\n", quantity.name, in_words(quantity));
+  const MeasuredTensor& stress = outcome.measured.stress;
+  for (const Eigen::Index i : {0, 1, 2}) {
+    fmt::print("{:<24}{:>12.5g} {:>12.5g} {:>12.5g}\n", i == 0 ? "stress, rows x y z, Pa" : "", stress.value(i, 0), stress.value(i, 1),
+               stress.value(i, 2));
+  }
+}
+
+std::function<void(const RunProgress&)> bar(const Options& options) {
+  if (options.quiet) return {};
+  struct State {
+    std::function<void(double)> show;
+    double rate = 0;
+  };
+  const auto state = std::make_shared<State>();
+  return [state, &options](const RunProgress& progress) {
+    state->rate = progress.particle_steps_per_second;
+    if (!state->show)
+      state->show = options.progress("running the flow", progress.share,
+                                     [state = state.get()] { return fmt::format("{:.2g} particle steps/s", state->rate); });
+    state->show(progress.share);
+  };
+}
+
+void run(Options& options) {
+  refuse_other_engines(options.engine);
+  if (answered_early(options, [&](const Input& input) { return estimate(options, input); })) return;
+  const Input input = options.resume ? input_to_go_on_with(options) : options.input();
+  stop_on_signals();
+  if (!options.out.empty() && !options.resume) begin_run_folder(options.out, input_file_text(input, "run"));
+  const RunOutcome outcome = run_flow(input, {.out = options.out,
+                                              .threads = threads_of(options),
+                                              .resume = options.resume,
+                                              .stop = [] { return told_to_stop.load(); },
+                                              .progress = bar(options),
+                                              .say = [&](const std::string& sentence) { options.say(sentence); }});
+  if (!options.out.empty()) {
+    for (const std::string& plot : write_run_report(input, outcome, options.out))
+      options.say(plot + " was not drawn: gnuplot is missing or failed; its script is kept in " + options.out);
+  }
+  deliver(options, input, "run", run_json(input, outcome));
+  if (!options.out.empty()) remove_checkpoint(options.out);
+  if (!options.json) print_run(options, input, outcome);
+}
+
+}  // namespace
+
+void add_run(CLI::App& app, Options& options, std::function<void()>& job) {
+  CLI::App* command = app.add_subcommand("run", "a flow of many spheres: what is measured with its errors, series, profiles, particle files");
+  add_options(*command, options);
+  command->add_option("--engine", options.engine, "what moves the spheres; so far dem, which auto chooses")
+      ->check(CLI::IsMember({"auto", "event", "hybrid", "dem", "lammps"}))
+      ->type_name("auto|event|hybrid|dem|lammps");
+  command->add_flag("--resume", options.resume, "go on with the unfinished run in --out; without an input, with its own");
+  command->callback([&] {
+    job = [&options] {
+      options.flows = true;
+      run(options);
+    };
+  });
+}
+
+}  // namespace scalebreak::apps

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include <scalebreak/measure/contact_force.hpp>
+#include <scalebreak/scene/system.hpp>
+
+namespace scalebreak {
+
+/// Running totals of an engine since its start, as Sample wants them; what an engine does not keep is left out.
+struct EngineTotals {
+  double contact_starts = 0;  ///< of a sphere at a wall ½
+  double wall_work = 0;       ///< done by moving walls on the spheres [J]
+  std::optional<double> shear_work, dissipated, contact_time;
+  std::optional<Eigen::Matrix3d> contact_moment;
+  long steps = 0;              ///< of time
+  std::optional<long> events;  ///< of an event-driven engine
+};
+
+/// What a run needs of an engine that moves a flow on.
+class FlowEngine {
+ public:
+  FlowEngine() = default;
+  virtual ~FlowEngine() = default;
+  FlowEngine(const FlowEngine&) = delete;
+  FlowEngine& operator=(const FlowEngine&) = delete;
+
+  /// To a time [s]; an engine with a step to the whole step that is nearest. Throws WorkError where the run failed.
+  virtual void advance_to(double time) = 0;
+  /// Whether what only a measurement asks for is kept; true at the start.
+  virtual void keep_sums(bool keep) = 0;
+
+  [[nodiscard]] virtual double time() const = 0;  ///< [s]
+  /// The state at this time, in the order of identity.
+  [[nodiscard]] virtual System system() const = 0;
+  [[nodiscard]] virtual std::vector<ContactForce> contact_forces() const = 0;
+  [[nodiscard]] virtual EngineTotals totals() const = 0;
+  [[nodiscard]] virtual double elastic_energy() const = 0;  ///< of all contacts [J]
+  /// What the same engine goes on from, bit for bit.
+  [[nodiscard]] virtual std::string save() const = 0;
+};
+
+}  // namespace scalebreak

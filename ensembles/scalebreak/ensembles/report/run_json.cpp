@@ -1,0 +1,73 @@
+#include <scalebreak/ensembles/report/run_json.hpp>
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include <scalebreak/base/version.hpp>
+#include <scalebreak/measure/flow_json.hpp>
+
+namespace scalebreak {
+namespace {
+
+using nlohmann::json;
+
+json or_null(double value) { return value > 0 ? json(value) : json(); }
+
+json step_json(const RunRecord& run) {
+  return {{"step", run.schedule.step},
+          {"step_limit", run.step.limit},
+          {"step_bound", run.step.bound},
+          {"step_bound_seconds", run.step.bound_step},
+          {"collision_speed", or_null(run.step.speed)},
+          {"contact_time", or_null(run.step.contact_time)},
+          {"steps_per_contact", or_null(run.step.contact_time / run.schedule.step)},
+          {"sample_interval", run.schedule.sample_interval()}};
+}
+
+}  // namespace
+
+std::string modelled(const Input& input) {
+  const ContactKind kind = effective_kind(input.contact, input.colliding().pair().surface_energy);
+  const bool spins = input.surface.spins();
+  return fmt::format("contact law {}; {}; {}", to_string(kind), to_string(input.surface),
+                     spins ? "spins, since these laws turn the spheres" : "no spins, since nothing turns the spheres");
+}
+
+json run_json(const Input& input, const RunOutcome& outcome) {
+  const RunRecord& first = outcome.replicas.front();
+  double particles = 0;
+  long steps = 0;
+  std::vector<std::string> warnings;
+  for (const RunRecord& run : outcome.replicas) {
+    particles += static_cast<double>(run.particles), steps += run.steps;
+    for (const std::string& warning : run.warnings) {
+      if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end()) warnings.push_back(warning);
+    }
+  }
+  json j = {{"version", version()},
+            {"engine", "dem"},
+            {"modelled", modelled(input)},
+            {"scaling_law", input.scaling_law},
+            {"scaling_factor", input.scaling_factor},
+            {"seed", input.run.seed},
+            {"replicas", outcome.replicas.size()},
+            {"particles", particles / static_cast<double>(outcome.replicas.size())},
+            {"cell", {first.cell.x(), first.cell.y(), first.cell.z()}},
+            {"time", first.time},
+            {"warmup_time", first.schedule.time_of(first.schedule.warmup_samples)},
+            {"steps", steps},
+            {"events", nullptr},
+            {"threads", outcome.threads},
+            {"wall_seconds", outcome.wall_seconds},
+            {"particle_steps_per_second", or_null(outcome.wall_seconds > 0 ? outcome.particle_steps() / outcome.wall_seconds : 0)},
+            {"events_per_second", nullptr},
+            {"patch_fraction", nullptr},
+            {"warnings", warnings}};
+  if (outcome.replicas.size() == 1) j["particles"] = first.particles;
+  j.update(step_json(first));
+  j.update(flow_json(outcome.measured));
+  return j;
+}
+
+}  // namespace scalebreak

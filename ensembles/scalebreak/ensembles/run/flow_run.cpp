@@ -1,0 +1,82 @@
+#include <scalebreak/ensembles/run/flow_run.hpp>
+
+#include <scalebreak/base/bytes.hpp>
+#include <scalebreak/ensembles/engine/dem_engine.hpp>
+#include <scalebreak/ensembles/engine/flow_start.hpp>
+#include <scalebreak/start/filling.hpp>
+
+namespace scalebreak {
+namespace {
+
+double gravity_energy(const System& system, const Eigen::Vector3d& gravity) {
+  if (gravity.isZero(0)) return 0;
+  double energy = 0;
+  for (std::size_t i = 0; i < system.count(); ++i) energy += system.mass[i] * gravity.dot(system.position[i]);
+  return energy;
+}
+
+}  // namespace
+
+Sample FlowInstant::sample() const {
+  return {.system = system,
+          .contacts = contacts,
+          .contact_starts = totals.contact_starts,
+          .work = work,
+          .elastic_energy = elastic_energy,
+          .shear_work = totals.shear_work,
+          .dissipated = totals.dissipated,
+          .contact_time = totals.contact_time,
+          .contact_moment = totals.contact_moment};
+}
+
+FlowRun::FlowRun(const Input& input, std::uint64_t replica, int threads) : gravity_(input.cell.gravity) {
+  const FlowStart start = flow_start(input, replica);
+  const System& system = start.system;
+  record_.replica = replica;
+  record_.particles = system.count();
+  record_.cell = system.cell.size;
+  record_.volume_fraction = volume_fraction(system.cell, system.radius);
+  record_.step = choose_step(input, step_scene(input, system, start.speed));
+  record_.schedule = run_schedule(run_times(input, system.cell), record_.step.step);
+  record_.gravity_energy = gravity_energy(system, gravity_);
+  record_.warnings = start.warnings;
+  if (!record_.step.warning.empty()) record_.warnings.push_back(record_.step.warning);
+  engine_ = std::make_unique<DemEngine>(system, dem_setup(input, record_.schedule.step, threads));
+  engine_->keep_sums(measures());
+  look();
+}
+
+FlowRun::FlowRun(const Input& input, std::string_view saved, int threads) : gravity_(input.cell.gravity) {
+  record_.load(saved);
+  take_bytes(saved, sample_);
+  measurement_.load(take_text(saved));
+  engine_ = std::make_unique<DemEngine>(std::string_view(take_text(saved)), dem_setup(input, record_.schedule.step, threads));
+  engine_->keep_sums(measures());
+}
+
+void FlowRun::look() {
+  if (!row_is_due() && !measures()) return;
+  instant_ = {engine_->system(), engine_->contact_forces(), engine_->totals(), engine_->elastic_energy(), 0};
+  instant_.work = instant_.totals.wall_work + gravity_energy(instant_.system, gravity_) - record_.gravity_energy;
+  if (measures()) measurement_.add(instant_.sample());
+}
+
+void FlowRun::advance() {
+  engine_->advance_to(record_.schedule.time_of(sample_ + 1));
+  ++sample_;
+  if (sample_ == record_.schedule.warmup_samples) engine_->keep_sums(true);
+  const EngineTotals totals = engine_->totals();
+  record_.time = engine_->time(), record_.steps = totals.steps, record_.events = totals.events;
+  look();
+}
+
+std::string FlowRun::save() const {
+  std::string bytes;
+  record_.save(bytes);
+  put_bytes(bytes, sample_);
+  put_text(bytes, measurement_.save());
+  put_text(bytes, engine_->save());
+  return bytes;
+}
+
+}  // namespace scalebreak

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <vector>
+
+#include <scalebreak/measure/flow_result.hpp>
+
+namespace scalebreak {
+
+/// Means over replicas of one flow, with the standard error of the mean from how the replicas differ, NaN where fewer than two have a
+/// value; of a single run its own result. A quantity is a mean over those replicas that have it.
+[[nodiscard]] FlowResult replica_mean(const std::vector<FlowResult>& replicas);
+
+}  // namespace scalebreak
