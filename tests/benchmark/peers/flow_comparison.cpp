@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include <fmt/format.h>
 
 #include <scalebreak/base/error.hpp>
-#include <scalebreak/measure/comparison.hpp>
 #include <scalebreak/measure/flow_json.hpp>
 #include <scalebreak/measure/flow_measurement.hpp>
-#include <scalebreak/statistics/block_series.hpp>
 #include <scalebreak/statistics/standard_error.hpp>
 
 #include "lammps_series.hpp"
@@ -20,24 +19,49 @@ namespace {
 
 constexpr PeerScene gas = {"flow", 1e8, false, false, 0, 0};
 
-std::string row(const std::string& name, const std::string& unit, const Measured& ours, const Measured& theirs,
-                const Measured& difference) {
-  return fmt::format("| {} | {} | {:.5g} ± {:.1g} | {:.5g} ± {:.1g} | {:+.2f} % ± {:.2f} % | {:+.1f} |\n", name, unit, ours.value,
-                     ours.error, theirs.value, theirs.error, 100 * difference.value / theirs.value,
-                     std::abs(100 * difference.error / theirs.value), difference.value / difference.error);
+/// Of independent values.
+Measured independent_mean(const std::vector<double>& values) {
+  const double count = static_cast<double>(values.size());
+  double sum = 0, squares = 0;
+  for (const double value : values) sum += value;
+  for (const double value : values) squares += std::pow(value - sum / count, 2);
+  return {sum / count, std::sqrt(squares / (count - 1) / count)};
 }
+
 constexpr const char* head =
     " | unit | scalebreak | LAMMPS | scalebreak − LAMMPS | in standard errors |\n| --- | --- | --- | --- | --- | --- |\n";
 
-FlowResult run_shear(const ShearRun& run, System state) {
-  state.cell.shear_rate = run.rate;
+/// One value of each engine for each state.
+std::string row(const std::string& name, const std::string& unit, const std::vector<double>& ours, const std::vector<double>& theirs) {
+  std::vector<double> between;
+  for (std::size_t k = 0; k < ours.size(); ++k) between.push_back(ours[k] - theirs[k]);
+  const Measured our = independent_mean(ours), their = independent_mean(theirs), difference = independent_mean(between);
+  const double scale = 100 / std::abs(their.value);
+  return fmt::format("| {} | {} | {:.5g} ± {:.1g} | {:.5g} ± {:.1g} | {:+.2f} % ± {:.2f} % | {:+.1f} |\n", name, unit, our.value, our.error,
+                     their.value, their.error, scale * difference.value, scale * difference.error, difference.value / difference.error);
+}
+
+std::vector<std::vector<SeriesRow>> read_all(const Runs& runs) {
+  if (runs.states.size() != runs.series.size() || runs.states.size() < 3)
+    throw InputError(
+        fmt::format("--states: found {}, and {} --series; allowed: as many of both, at least 3", runs.states.size(), runs.series.size()));
+  std::vector<std::vector<SeriesRow>> all;
+  for (const std::string& file : runs.series) {
+    all.push_back(read_series(file));
+    if (all.back().size() != all.front().size()) throw InputError(file + ": of another length than the first series");
+  }
+  return all;
+}
+
+FlowResult run_shear(const Runs& runs, System state, double rate, const std::vector<SeriesRow>& rows) {
+  state.cell.shear_rate = rate;
   for (std::size_t i = 0; i < state.count(); ++i) state.velocity[i] += mean_flow(state.cell, state.position[i].z());
-  DemSetup setup = peer_setup(gas, run.restitution, false);
-  setup.threads = run.threads;
+  DemSetup setup = peer_setup(gas, runs.restitution, false);
+  setup.threads = runs.threads;
   Dem dem(state, setup);
-  dem.advance(run.warm_up);
   FlowMeasurement measurement;
-  const auto measure = [&] {
+  for (const SeriesRow& r : rows) {
+    dem.advance(r.step - dem.steps());
     const System system = dem.system();
     const std::vector<ContactForce> contacts = dem.contact_forces();
     const DemTotals& totals = dem.totals();
@@ -48,26 +72,14 @@ FlowResult run_shear(const ShearRun& run, System state) {
                      .shear_work = totals.shear_work,
                      .contact_time = totals.contact_time,
                      .contact_moment = totals.contact_moment});
-  };
-  measure();
-  for (long step = 0; step < run.steps; step += run.every) {
-    dem.advance(run.every);
-    measure();
   }
   return measurement.result();
 }
 
-/// The mean of a column of the series, its rows evenly spaced in time.
-template <class Value>
-Measured mean(const std::vector<SeriesRow>& rows, Value value) {
-  BlockSeries series;
-  for (const SeriesRow& r : rows) series.add(Eigen::Array2d(value(r), 1));
-  std::vector<double> sums, numbers;
-  for (const Eigen::ArrayXd& block : series.blocks()) {
-    sums.push_back(block[0]);
-    numbers.push_back(block[1]);
-  }
-  return ratio_of_sums(sums, numbers);
+double solid_density(const System& state) {
+  double mass = 0;
+  for (const double m : state.mass) mass += m;
+  return mass / state.cell.volume();
 }
 
 struct Thermal {
@@ -83,75 +95,65 @@ Thermal thermal(const System& system) {
   return {sum.temperature / count, sum.rotational_energy / count};
 }
 
-/// Of independent values.
-Measured independent_mean(const std::vector<double>& values) {
-  const double count = static_cast<double>(values.size());
-  double sum = 0, squares = 0;
-  for (const double value : values) sum += value;
-  for (const double value : values) squares += std::pow(value - sum / count, 2);
-  return {sum / count, std::sqrt(squares / (count - 1) / count)};
-}
-
 }  // namespace
 
-std::string compare_shear(const ShearRun& run) {
-  const std::vector<SeriesRow> rows = read_series(run.series);
-  const long covered = rows.back().step - rows.front().step;
-  if (covered != run.steps)
-    throw InputError(fmt::format("{}: the series covers {} steps; allowed: {}, as --steps says", run.series, covered, run.steps));
-  const System state = peer_state(run.state, false);
-  double mass = 0;
-  for (const double m : state.mass) mass += m;
-  const double solid_density = mass / state.cell.volume();
-
-  const std::vector<Quantity> ours = all_quantities(run_shear(run, state));
-  const std::vector<Quantity> theirs = {
-      {"temperature", "m2/s2", mean(rows, [](const SeriesRow& r) { return r.temperature; })},
-      {"rotational_energy", "J", mean(rows, [](const SeriesRow& r) { return r.rotational_energy; })},
-      {"coordination", "-", mean(rows, [](const SeriesRow& r) { return r.coordination; })},
-      {"pressure", "Pa", mean(rows, [&](const SeriesRow& r) { return r.contact_pressure + solid_density * r.temperature; })},
-      {"stress_contact_zx", "Pa", mean(rows, [](const SeriesRow& r) { return r.contact_stress_xz; })},
+std::string compare_shear(const Runs& runs, double rate) {
+  const auto series = read_all(runs);
+  double solids = 0;  // per volume of the cell [kg/m³]
+  struct Column {
+    const char* name;
+    std::function<double(const SeriesRow&)> theirs;
   };
+  const Column columns[] = {{"temperature", [](const SeriesRow& r) { return r.temperature; }},
+                            {"rotational_energy", [](const SeriesRow& r) { return r.rotational_energy; }},
+                            {"coordination", [](const SeriesRow& r) { return r.coordination; }},
+                            {"pressure", [&](const SeriesRow& r) { return r.contact_pressure + solids * r.temperature; }},
+                            {"stress_contact_zx", [](const SeriesRow& r) { return r.contact_stress_xz; }}};
+  std::vector<std::vector<double>> ours(std::size(columns)), theirs(std::size(columns));
+  std::vector<std::string> units(std::size(columns));
+  for (std::size_t k = 0; k < series.size(); ++k) {
+    const System state = peer_state(runs.states[k], false);
+    solids = solid_density(state);
+    const std::vector<Quantity> found = all_quantities(run_shear(runs, state, rate, series[k]));
+    for (std::size_t c = 0; c < std::size(columns); ++c) {
+      const auto quantity = std::find_if(found.begin(), found.end(), [&](const Quantity& q) { return q.name == columns[c].name; });
+      if (quantity == found.end()) throw WorkError(fmt::format("{} is not among what a flow measures", columns[c].name));
+      ours[c].push_back(quantity->measured.value);
+      units[c] = quantity->unit;
+      double sum = 0;
+      for (const SeriesRow& r : series[k]) sum += columns[c].theirs(r);
+      theirs[c].push_back(sum / static_cast<double>(series[k].size()));
+    }
+  }
   std::string table = std::string("| quantity") + head;
-  for (const Comparison& c : compare(theirs, ours)) table += row(c.name, c.unit, c.second, c.first, c.difference);
+  for (std::size_t c = 0; c < std::size(columns); ++c) table += row(columns[c].name, units[c], ours[c], theirs[c]);
   return table;
 }
 
-std::string compare_cooling(const CoolingRun& run) {
-  if (run.states.size() != run.series.size() || run.states.size() < 3)
-    throw InputError(
-        fmt::format("--states: found {}, and {} --series; allowed: as many of both, at least 3", run.states.size(), run.series.size()));
-  std::vector<std::vector<SeriesRow>> theirs;
-  std::vector<std::vector<Thermal>> ours;
-  DemSetup setup = peer_setup(gas, run.restitution, false);
-  setup.threads = run.threads;
-  for (std::size_t k = 0; k < run.states.size(); ++k) {
-    theirs.push_back(read_series(run.series[k]));
-    Dem dem(peer_state(run.states[k], false), setup);
-    for (const SeriesRow& r : theirs.back()) {
+std::string compare_cooling(const Runs& runs) {
+  const auto series = read_all(runs);
+  DemSetup setup = peer_setup(gas, runs.restitution, false);
+  setup.threads = runs.threads;
+  std::vector<std::vector<Thermal>> ours(series.size());
+  for (std::size_t k = 0; k < series.size(); ++k) {
+    Dem dem(peer_state(runs.states[k], false), setup);
+    for (const SeriesRow& r : series[k]) {
       dem.advance(r.step - dem.steps());
-      if (ours.size() == k) ours.emplace_back();
-      ours.back().push_back(thermal(dem.system()));
+      ours[k].push_back(thermal(dem.system()));
     }
-    if (theirs.back().size() != theirs.front().size()) throw InputError(run.series[k] + ": of another length than the first series");
   }
   std::string table = std::string("| after steps, quantity") + head;
-  for (std::size_t i = 1; i < theirs.front().size(); ++i) {
-    const auto add = [&](const char* name, const char* unit, auto our, auto their) {
-      std::vector<double> first, second, difference;
-      for (std::size_t k = 0; k < theirs.size(); ++k) {
-        first.push_back(our(ours[k][i]));
-        second.push_back(their(theirs[k][i]));
-        difference.push_back(first.back() - second.back());
-      }
-      table += row(fmt::format("{}, {}", theirs.front()[i].step, name), unit, independent_mean(first), independent_mean(second),
-                   independent_mean(difference));
-    };
-    add(
-        "temperature", "m2/s2", [](const Thermal& t) { return t.temperature; }, [](const SeriesRow& r) { return r.temperature; });
-    add(
-        "rotational_energy", "J", [](const Thermal& t) { return t.rotational_energy; },
-        [](const SeriesRow& r) { return r.rotational_energy; });
+  for (std::size_t i = 1; i < series.front().size(); ++i) {
+    std::vector<double> temperature[2], rotation[2];
+    for (std::size_t k = 0; k < series.size(); ++k) {
+      temperature[0].push_back(ours[k][i].temperature);
+      temperature[1].push_back(series[k][i].temperature);
+      rotation[0].push_back(ours[k][i].rotational_energy);
+      rotation[1].push_back(series[k][i].rotational_energy);
+    }
+    const std::string step = fmt::format("{}, ", series.front()[i].step);
+    table += row(step + "temperature", "m2/s2", temperature[0], temperature[1]);
+    table += row(step + "rotational_energy", "J", rotation[0], rotation[1]);
   }
   return table;
 }
