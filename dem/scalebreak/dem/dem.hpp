@@ -35,7 +35,6 @@ struct DemTotals {
   double contact_starts = 0;                                 ///< of a sphere at a wall ½
   double contact_time = 0;                                   ///< [s]; of a sphere at a wall ½
   double wall_work = 0;                                      ///< done by moving walls on the spheres [J]
-  double shear_work = 0;                                     ///< done by homogeneous shear, −γ̇ ∫P_xz V dt [J]
   Eigen::Matrix3d contact_moment = Eigen::Matrix3d::Zero();  ///< −∫Σ force branchᵀ dt [N m s]
   double pairs_tested = 0, pairs_selected = 0;               ///< work of the neighbour lists
   double lists_made = 0, grids_made = 0;                     ///< times that the near pairs, and that all neighbours were found anew
@@ -57,7 +56,7 @@ class Dem {
   /// Throws WorkError, one sentence, where the run became unstable: a sphere that moves by a tenth of its radius in a step, or is nowhere.
   void advance(long steps);
 
-  /// Whether the sums over contacts (contact_moment, shear_work) are kept at every step; true at the start. They cost some per cent.
+  /// Whether the sum over contacts (contact_moment) is kept at every step; true at the start. It costs some per cent.
   void keep_sums(bool keep);
 
   [[nodiscard]] double time() const;
