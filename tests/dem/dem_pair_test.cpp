@@ -52,7 +52,10 @@ const Case cases[] = {
      }},
     {"jkr", [](Input&) {}},
     {"jkr_touch", [](Input& input) { input.contact.range = AdhesionRange::touch; }},
-    {"jkr_overlap", [](Input& input) { input.contact = {NormalModel::jkr, AdhesionRange::pull_off, DampingOn::overlap}; }},
+    {"jkr_overlap",
+     [](Input& input) {
+       input.contact = {NormalModel::jkr, AdhesionRange::pull_off, DampingOn::overlap};
+     }},
     {"jkr_mindlin", [](Input& input) { rub(input, TangentialModel::mindlin, DampingOn::contact_radius); }},
     {"jkr_ar",
      [](Input& input) {

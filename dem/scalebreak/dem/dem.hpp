@@ -36,7 +36,7 @@ struct DemTotals {
   double contact_time = 0;                                   ///< [s]; of a sphere at a wall ½
   double wall_work = 0;                                      ///< done by moving walls on the spheres [J]
   Eigen::Matrix3d contact_moment = Eigen::Matrix3d::Zero();  ///< −∫Σ force branchᵀ dt [N m s]
-  double pairs_tested = 0, pairs_selected = 0;               ///< work of the neighbour lists
+  double pairs_tested = 0;                                   ///< near pairs, summed over steps
   double lists_made = 0, grids_made = 0;                     ///< times that the near pairs, and that all neighbours were found anew
 };
 
