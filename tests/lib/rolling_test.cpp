@@ -23,6 +23,8 @@ Rolling rolling(RollingModel model, NormalModel normal = NormalModel::jkr, doubl
                              .rolling_friction = friction,
                              .rolling_damping = damping,
                              .rolling_angle_max = angle,
+                             .rolling_spring_constant = 120,
+                             .rolling_dashpot = 3e-4,
                              .surface_energy = energy,
                              .rolling_inertia = inertia};
   return Rolling::make({.rolling = model}, {.normal = normal}, pair, surfaces, adhesive);
@@ -51,6 +53,16 @@ TEST(Rolling, EpsdIsWashinosEquations44And45) {
     EXPECT_FALSE(law.dashpot_is_limited);  // W eq. 42: the limit is on the spring alone
     EXPECT_TRUE(law.incremental);          // W eq. 43: ∫ k_r ω dt
   }
+}
+
+TEST(Rolling, SdsIsThatOfLammps) {
+  const SliderLaw law = rolling(RollingModel::sds).at(point(), {.load = 3});
+  EXPECT_NEAR(law.stiffness / (120 * radius * radius), 1, 1e-14);  // F = k_r R* θ at the lever R*
+  EXPECT_NEAR(law.damping / (3e-4 * radius * radius), 1, 1e-14);
+  EXPECT_NEAR(law.limit / (friction * radius * load), 1, 1e-14);
+  EXPECT_NEAR(law.limit_rate / (friction * radius * 3), 1, 1e-14);
+  EXPECT_TRUE(law.dashpot_is_limited);
+  EXPECT_FALSE(law.incremental);
 }
 
 TEST(Rolling, Epsd2IsHusEquation250) {
