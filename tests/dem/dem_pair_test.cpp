@@ -1,3 +1,5 @@
+#include <ostream>
+
 #include <gtest/gtest.h>
 
 #include "dem/scenes.hpp"
@@ -10,6 +12,7 @@ namespace {
 struct Case {
   const char* name;
   void (*change)(Input&);
+  friend void PrintTo(const Case& test, std::ostream* out) { *out << test.name; }
 };
 
 void without_adhesion(Input& input, NormalModel normal) {

@@ -21,7 +21,7 @@ struct ForceLoop {
   }
 
   void run() {
-    const PairsView& pairs = task.pairs;
+    const PairsView pairs = task.pairs;
     Quad branch[width];
     double touch[width], squares[width];
     std::uint32_t begin = 0;
@@ -178,16 +178,22 @@ struct ForceLoop {
     const SpheresView& spheres = task.spheres;
     const double torque_by = -task.torque * task.radius_share;  // of Turns::sliding, whose arms are the radii
     const bool rubs = turns == Turns::sliding || (turns == Turns::all && task.turns);
-    std::uint32_t current = task.pairs.first[block.pair[0]];
+    // Kept in registers: what is stored below could be any of them, as far as the compiler sees.
+    const std::uint32_t *const first = task.pairs.first, *const second = task.pairs.second;
+    Quad *const forces = spheres.force, *const torques = spheres.torque;
+    const Quad* const positions = spheres.position;
+    const std::uint32_t count = block.count, own_begin = task.own_begin, own = task.own_end - task.own_begin;
+    const bool wall = task.wall != nullptr;
+    std::uint32_t current = first[block.pair[0]];
     Four force_sum = all(0), torque_sum = all(0);
     const auto flush = [&] {
-      store(spheres.force[current], load(spheres.force[current]) - force_sum);
+      store(forces[current], load(forces[current]) - force_sum);
       if (!rubs) return;
-      if constexpr (turns == Turns::sliding) torque_sum *= all(torque_by * spheres.position[current].w);
-      store(spheres.torque[current], load(spheres.torque[current]) + torque_sum);
+      if constexpr (turns == Turns::sliding) torque_sum *= all(torque_by * positions[current].w);
+      store(torques[current], load(torques[current]) + torque_sum);
     };
-    for (std::uint32_t n = 0; n < block.count; ++n) {
-      const std::uint32_t k = block.pair[n], i = task.pairs.first[k];
+    for (std::uint32_t n = 0; n < count; ++n) {
+      const std::uint32_t k = block.pair[n], i = first[k];
       if (i != current) {
         flush();
         current = i, force_sum = torque_sum = all(0);
@@ -195,14 +201,14 @@ struct ForceLoop {
       const Four force = load(block.force[n]), torque = rubs ? load(block.torque1[n]) : all(0);
       force_sum += force;
       torque_sum += torque;
-      if (task.wall) continue;
-      const std::uint32_t j = sphere_of(task.pairs.second[k]);
+      if (wall) continue;
+      const std::uint32_t j = sphere_of(second[k]);
       Four back = all(0);
-      if constexpr (turns == Turns::sliding) back = torque * all(torque_by * spheres.position[j].w);
+      if constexpr (turns == Turns::sliding) back = torque * all(torque_by * positions[j].w);
       if constexpr (turns == Turns::all) back = rubs ? load(block.torque2[n]) : all(0);
-      if (j - task.own_begin < task.own_end - task.own_begin) {
-        store(spheres.force[j], load(spheres.force[j]) + force);
-        if (rubs) store(spheres.torque[j], load(spheres.torque[j]) + back);
+      if (j - own_begin < own) {
+        store(forces[j], load(forces[j]) + force);
+        if (rubs) store(torques[j], load(torques[j]) + back);
       } else {
         Deferred& deferred = task.deferred[task.deferred_count++];
         deferred.sphere = j;
@@ -211,10 +217,11 @@ struct ForceLoop {
       }
     }
     flush();
-    count();
+    tell();
   }
 
-  void count() {
+  /// What is counted and summed of a block.
+  void tell() {
     double solids = block.count;
     if (task.bridge) {
       solids = 0;
