@@ -74,7 +74,9 @@ class Dem::Engine {
   void select_pairs(Worker& worker);
   void select_walls(Worker& worker);
   void reopen_rows(Worker& worker);
-  void find_movers(Worker& worker);
+  void clear_marks(Worker& worker);
+  void mark_movers(const Worker& worker);
+  void collect_movers(Worker& worker);
   void bring_up_resting(Worker& worker);
   // engine_step.cpp
   void move(Worker& worker);

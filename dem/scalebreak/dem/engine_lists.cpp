@@ -192,16 +192,20 @@ void Dem::Engine::reopen_rows(Worker& worker) {
   for (WallPairs& wall : worker.walls) reopen(wall.pairs, worker.wall_rows, true);
 }
 
-void Dem::Engine::find_movers(Worker& worker) {
-  // Spheres that are near none fly on their own until the lists are made anew. Who is near whom is told across threads.
+// Spheres that are near none fly on their own until the lists are made anew. Who is near whom is told across threads: all have to
+// clear before any marks, and to mark before any collects.
+
+void Dem::Engine::clear_marks(Worker& worker) { std::fill(moves_.begin() + worker.begin, moves_.begin() + worker.end, std::uint8_t{0}); }
+
+void Dem::Engine::mark_movers(const Worker& worker) {
   const auto mark = [&](std::uint32_t sphere) { std::atomic_ref(moves_[sphere]).store(1, std::memory_order_relaxed); };
-  std::fill(moves_.begin() + worker.begin, moves_.begin() + worker.end, std::uint8_t{0});
-#pragma omp barrier
   for (std::uint32_t k = 0; k < worker.pairs.count; ++k) mark(worker.pairs.first[k]), mark(sphere_of(worker.pairs.second[k]));
   for (const WallPairs& wall : worker.walls) {
     for (std::uint32_t k = 0; k < wall.pairs.count; ++k) mark(wall.pairs.first[k]);
   }
-#pragma omp barrier
+}
+
+void Dem::Engine::collect_movers(Worker& worker) {
   worker.movers.clear();
   double fastest = 0;
   for (std::uint32_t i = worker.begin; i < worker.end; ++i) {

@@ -35,7 +35,9 @@ Dem::Engine::Engine(const System& start, const DemSetup& setup)
   make_grid(start.contacts);
   for (Worker& worker : workers_) find_neighbours(worker);
   for (Worker& worker : workers_) select_pairs(worker);
-  for (Worker& worker : workers_) find_movers(worker);
+  for (Worker& worker : workers_) clear_marks(worker);
+  for (const Worker& worker : workers_) mark_movers(worker);
+  for (Worker& worker : workers_) collect_movers(worker);
   // The forces of the start, by which velocities are set half a step back; histories stay as they are.
   for (Worker& worker : workers_) add_forces(worker, 0);
   rethrow();

@@ -48,7 +48,11 @@ void Dem::Engine::advance(long steps) {
         if (!grid_due_) bring_up_resting(worker);
 #pragma omp barrier
         guarded(worker, [&] { select_pairs(worker); });
-        find_movers(worker);
+        clear_marks(worker);
+#pragma omp barrier
+        mark_movers(worker);
+#pragma omp barrier
+        collect_movers(worker);
       }
       guarded(worker, [&] { add_forces(worker, setup_.step); });
 #pragma omp barrier
