@@ -13,7 +13,7 @@ constexpr double steps_per_contact = 30;
 /// a step of the Rayleigh time does one of a Hertz contact.
 constexpr double linear_safety = 0.1;
 
-/// By what a direct-force law multiplies times: those of a contact go with overlap^1 and the inertia of its pair.
+/// By what a direct-force law multiplies times (see scaled_pair: the original pair, with an inertia × l^{3−q−p}).
 double time_factor(const DemSetup& setup) {
   if (!setup.law.direct_force) return 1;
   const double inertia = 3 - setup.law.overlap - setup.law.force;
@@ -38,7 +38,8 @@ std::vector<StepBound> critical_steps(const DemSetup& setup, double smallest_rad
   if (setup.contact.normal == NormalModel::linear) {
     const double size = size_factor(setup.law, setup.factor);
     const auto of = [&](const Material& original) {
-      const Material material = setup.law.direct_force ? original : scaled_material(setup.law, setup.factor, original, setup.contact.normal);
+      const Material material =
+          setup.law.direct_force ? original : scaled_material(setup.law, setup.factor, original, setup.contact.normal);
       const double radius = setup.law.direct_force ? smallest_radius / size : smallest_radius;
       return 2 * std::numbers::pi * linear_safety * std::sqrt(sphere_mass(radius, material.density) / material.spring_constant);
     };

@@ -13,13 +13,14 @@ struct StepBound {
   double step = 0;   ///< [s]
 };
 
-/// The critical step of the smallest spheres of a flow of the scaled system, the smallest bound first:
+/// The critical steps of the smallest spheres of a flow of the scaled system, the smallest first:
 ///
-///     Rayleigh:     π r √(ρ/G) / (0.8766 + 0.163 ν)                       (Washino et al. 2024, eq. 55)
-///     linear:       (2π/10 … see there) √(m/k)                            (Washino et al. 2024, eq. 54)
-///     contact time: that of a collision at the speeds that occur, over 30 (if `contact_time` is above 0 [s])
+///     Rayleigh:     π r √(2ρ(1 + ν)/E) / (0.8766 + 0.163 ν)       of Hertz and JKR contacts (Washino et al. 2024, eq. 55)
+///     oscillation:  2π f_l √(m/k), f_l = 0.1                      of linear contacts (Washino et al. 2024, eq. 54)
+///     contact time: a thirtieth of it, if `contact_time` is above 0 [s]
 ///
-/// Under a direct-force law the original's times the factor^overlap (Hu 2024, section 3.3.4).
+/// Under a direct-force law they are the original's × l^overlap (Hu 2024, section 3.3.4), and × l^{x/2} where the law makes the inertia of
+/// the pair smaller, by l^x.
 [[nodiscard]] std::vector<StepBound> critical_steps(const DemSetup& setup, double smallest_radius, double contact_time = 0);
 
 /// The Rayleigh step alone, of the scaled system: what step_fraction is a fraction of.

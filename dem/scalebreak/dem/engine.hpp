@@ -77,6 +77,8 @@ class Dem::Engine {
   void clear_marks(Worker& worker);
   void mark_movers(const Worker& worker);
   void collect_movers(Worker& worker);
+  /// A sphere that is near none, from the last lists to now: so many steps of velocity Verlet without a force.
+  void fly(dem::Quad& position, dem::Quad& velocity) const;
   void bring_up_resting(Worker& worker);
   // engine_step.cpp
   void move(Worker& worker);
@@ -92,7 +94,7 @@ class Dem::Engine {
 
   [[nodiscard]] dem::ForceTask force_task(Worker& worker, dem::Pairs& pairs, const dem::WallView* wall, double history_step);
   [[nodiscard]] dem::LawRows& rows_for(Worker& worker, bool wall);
-  [[nodiscard]] dem::LawRows::Kind kind_at(std::uint32_t sphere) const;
+  [[nodiscard]] dem::LawRows::Kind kind_at(std::uint32_t sphere) const { return dem::kind_of(spheres_, material_, sphere); }
   [[nodiscard]] bool has_slides() const { return rows_.mapped().laws.tangential.acts(); }
   [[nodiscard]] bool has_rolls() const { return rows_.mapped().laws.rolling.acts() && !rows_.mapped().laws.rolling.rigid(); }
   [[nodiscard]] double largest_reach() const;

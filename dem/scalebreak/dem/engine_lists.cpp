@@ -17,9 +17,6 @@ double peculiar_squared(const Quad& velocity, const Quad& position, double rate,
   return along * along + velocity.y * velocity.y + velocity.z * velocity.z;
 }
 
-/// The wall of a face: −1 − 2·axis below, −2 − 2·axis above.
-std::int32_t wall_number(const WallView& wall) { return -1 - 2 * wall.axis - (wall.side > 0 ? 1 : 0); }
-
 }  // namespace
 
 void Dem::Engine::wrap_spheres() {
@@ -80,7 +77,7 @@ void Dem::Engine::hand_out(const std::vector<ContactMemory>& contacts) {
     if (memory.second < 0) {
       Worker& worker = owner(contact.first);
       for (std::size_t w = 0; w < walls_.size(); ++w) {
-        if (wall_number(walls_[w]) == memory.second) worker.walls[w].remembered.push_back(contact);
+        if (wall_number(walls_[w].axis, walls_[w].side > 0) == memory.second) worker.walls[w].remembered.push_back(contact);
       }
       continue;
     }
@@ -218,17 +215,21 @@ void Dem::Engine::collect_movers(Worker& worker) {
   worker.resting_fastest_squared = fastest;
 }
 
-void Dem::Engine::bring_up_resting(Worker& worker) {
-  if (worker.movers.size() == worker.end - worker.begin) return;
-  // So many steps of velocity Verlet without a force.
+void Dem::Engine::fly(Quad& x, Quad& v) const {
   const double steps = static_cast<double>(steps_since_lists_), time = steps * setup_.step,
                fall = setup_.step * setup_.step * steps * (steps + 1) / 2;
+  const Eigen::Vector3d& g = setup_.gravity;
+  x = {x.x + time * v.x + fall * g.x(), x.y + time * v.y + fall * g.y(), x.z + time * v.z + fall * g.z(), x.w};
+  v = {v.x + time * g.x(), v.y + time * g.y(), v.z + time * g.z(), v.w};
+}
+
+void Dem::Engine::bring_up_resting(Worker& worker) {
+  if (worker.movers.size() == worker.end - worker.begin) return;
   const Eigen::Vector3d& g = setup_.gravity;
   for (std::uint32_t i = worker.begin; i < worker.end; ++i) {
     if (moves_[i]) continue;
     Quad &x = spheres_.position[i], &v = spheres_.velocity[i];
-    x = {x.x + time * v.x + fall * g.x(), x.y + time * v.y + fall * g.y(), x.z + time * v.z + fall * g.z(), x.w};
-    v = {v.x + time * g.x(), v.y + time * g.y(), v.z + time * g.z(), v.w};
+    fly(x, v);
     if (spheres_.seen_velocity.empty()) continue;
     const double half = setup_.step / 2;
     spheres_.seen_velocity[i] = {v.x + half * g.x(), v.y + half * g.y(), v.z + half * g.z(), v.w};

@@ -127,8 +127,6 @@ LawRows& Dem::Engine::rows_for(Worker& worker, bool wall) {
   return wall ? wall_rows_ : rows_;
 }
 
-LawRows::Kind Dem::Engine::kind_at(std::uint32_t sphere) const { return {spheres_.position[sphere].w, material_[spheres_.id[sphere]]}; }
-
 double Dem::Engine::largest_reach() const { return std::max(rows_.largest_reach(), walls_.empty() ? 0.0 : wall_rows_.largest_reach()); }
 
 }  // namespace scalebreak

@@ -22,21 +22,15 @@ System Dem::Engine::system() const {
   System system{.time = time(), .cell = cell_now()};
   system.radius.resize(n), system.mass.resize(n), system.material = material_;
   system.position.resize(n), system.velocity.resize(n), system.spin.assign(n, Eigen::Vector3d::Zero());
-  // Those near none are where they were when the lists were made.
-  const double steps = static_cast<double>(steps_since_lists_), late = steps * setup_.step,
-               fall = setup_.step * setup_.step * steps * (steps + 1) / 2, half = setup_.step / 2;
+  const double half = setup_.step / 2;
   for (std::uint32_t k = 0; k < n; ++k) {
     const std::uint32_t i = spheres_.id[k];
-    const Quad &x = spheres_.position[k], &v = spheres_.velocity[k];
-    const bool rests = !moves_[k];
+    Quad x = spheres_.position[k], v = spheres_.velocity[k];
+    if (!moves_[k]) fly(x, v);  // those near none are where they were when the lists were made
     system.radius[i] = x.w;
     system.mass[i] = 1 / v.w;
     system.position[i] = vector(x);
     system.velocity[i] = vector(v);
-    if (rests) {
-      system.position[i] += late * system.velocity[i] + fall * setup_.gravity;
-      system.velocity[i] += late * setup_.gravity;
-    }
     system.velocity[i] += half * (v.w * vector(spheres_.force[k]) + setup_.gravity);
     if (turns_) system.spin[i] = vector(spheres_.spin[k]) + half * spheres_.spin[k].w * vector(spheres_.torque[k]);
     wrap(system.cell, system.position[i], system.velocity[i]);
@@ -58,8 +52,7 @@ std::vector<ContactMemory> Dem::Engine::contact_memories() const {
   for (const Worker& worker : workers_) {
     for (const Remembered& contact : worker.pairs.remember()) put(contact, static_cast<std::int32_t>(spheres_.id[contact.second]));
     for (std::size_t w = 0; w < walls_.size(); ++w) {
-      for (const Remembered& contact : worker.walls[w].pairs.remember())
-        put(contact, -1 - 2 * walls_[w].axis - (walls_[w].side > 0 ? 1 : 0));
+      for (const Remembered& contact : worker.walls[w].pairs.remember()) put(contact, wall_number(walls_[w].axis, walls_[w].side > 0));
     }
   }
   return memories;
@@ -76,12 +69,12 @@ std::vector<ContactForce> Dem::Engine::contact_forces() const {
     copy.kernel_.forces(task);
     for (std::uint32_t k = 0; k < pairs.count; ++k) {
       if (pairs.state[k] == apart) continue;
-      forces.push_back({.first = static_cast<std::int32_t>(spheres_.id[pairs.first[k]]),
-                        .second = wall ? -1 - 2 * wall->axis - (wall->side > 0 ? 1 : 0)
-                                       : static_cast<std::int32_t>(spheres_.id[sphere_of(pairs.second[k])]),
-                        .touching = pairs.state[k] == touching,
-                        .branch = vector(branch[k]),
-                        .force = -vector(force[k])});
+      forces.push_back(
+          {.first = static_cast<std::int32_t>(spheres_.id[pairs.first[k]]),
+           .second = wall ? wall_number(wall->axis, wall->side > 0) : static_cast<std::int32_t>(spheres_.id[sphere_of(pairs.second[k])]),
+           .touching = pairs.state[k] == touching,
+           .branch = vector(branch[k]),
+           .force = -vector(force[k])});
     }
   };
   for (Worker& worker : copy.workers_) {

@@ -156,7 +156,7 @@ struct RowKeeper {
   const Spheres* spheres;
   const std::vector<std::uint8_t>* material;
 
-  [[nodiscard]] LawRows::Kind kind(std::uint32_t sphere) const { return {spheres->position[sphere].w, (*material)[spheres->id[sphere]]}; }
+  [[nodiscard]] LawRows::Kind kind(std::uint32_t sphere) const { return kind_of(*spheres, *material, sphere); }
 };
 
 void open_row(void* context, std::uint32_t pair) {

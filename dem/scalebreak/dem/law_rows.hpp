@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <scalebreak/dem/dem.hpp>
+#include <scalebreak/dem/spheres.hpp>
 
 namespace scalebreak::dem {
 
@@ -50,6 +51,10 @@ class LawRows {
   MappedLaws mapped_;
   double largest_reach_ = 0, radius_share_ = 1;
 };
+
+[[nodiscard]] inline LawRows::Kind kind_of(const Spheres& spheres, const std::vector<std::uint8_t>& material_by_id, std::uint32_t sphere) {
+  return {spheres.position[sphere].w, material_by_id[spheres.id[sphere]]};
+}
 
 /// Distances beyond touch at which a contact of solids tears, and a bridge ruptures, of the scaled pair [m].
 [[nodiscard]] double hold_of(const MappedLaws& laws);

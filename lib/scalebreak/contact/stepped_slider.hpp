@@ -67,16 +67,17 @@ template <class T>
     history = stretched;
     return trial;
   }
-  const Vector3Of<T> force = over(trial, law.limit) * trial;
+  const Vector3Of<T> sliding = over(trial, law.limit) * trial, spring = sliding - dashpot;
   // Along the force: what the spring would pull, and what it pulls if it is left as it is; both times the limit.
-  const Vector3Of<T> spring = force - dashpot;
-  const T pull = force.dot(spring), pull_before = law.stiffness * force.dot(history);
-  const auto skids = slides && pull < 0.0 && pull < pull_before;
+  const Vector3Of<T> left = law.stiffness * history;
+  const T pull = sliding.dot(spring);
+  const auto skids = slides && pull < 0.0 && pull < sliding.dot(left);
+  const Vector3Of<T> kept = left + dashpot, skidding = over(kept, law.limit) * kept;
   const T softness = choose(law.stiffness > 0.0, T(1.0 / choose(law.stiffness > 0.0, law.stiffness, T(1))), T(0));
   history.x = choose(slides, choose(skids, history.x, T(softness * spring.x)), stretched.x);
   history.y = choose(slides, choose(skids, history.y, T(softness * spring.y)), stretched.y);
   history.z = choose(slides, choose(skids, history.z, T(softness * spring.z)), stretched.z);
-  return force;
+  return {choose(skids, skidding.x, sliding.x), choose(skids, skidding.y, sliding.y), choose(skids, skidding.z, sliding.z)};
 }
 
 }  // namespace scalebreak

@@ -18,6 +18,9 @@ struct ContactMemory {
   Eigen::Vector3d rolling{0, 0, 0};  ///< the spring's angle [rad], or its torque [N m], as the law keeps it
 };
 
+/// The number of the wall at a face, as `second` of a contact has it.
+[[nodiscard]] constexpr std::int32_t wall_number(int axis, bool upper) { return -1 - 2 * axis - (upper ? 1 : 0); }
+
 /// The state of a flow, what engines hand over to each other and files hold, SI. One entry a sphere in every list, in an order
 /// that never changes.
 struct System {

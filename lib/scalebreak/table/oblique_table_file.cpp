@@ -6,6 +6,7 @@
 #include <scalebreak/output/atomic_file.hpp>
 #include <scalebreak/table/npy.hpp>
 #include <scalebreak/table/patch_file.hpp>
+#include <scalebreak/table/table_seal.hpp>
 
 namespace scalebreak {
 namespace {
@@ -27,14 +28,7 @@ json key_json(const ObliqueKey& key) {
 }
 
 ObliqueTable parse(const std::string& text, const std::string& entries, const std::string& turnings, const ObliqueKey& key) {
-  json j = json::parse(text);
-  const json said = j.at("checksum");
-  j.erase("checksum");
-  if (j.at("format_version") != format_version)
-    throw fmt::format("it has format version {}, this program has {}", j.at("format_version").dump(), format_version);
-  if (j.at("key") != key_json(key)) throw std::string("it is of another key");
-  const std::string body = j.dump();
-  if (said != crc32({entries, turnings, body})) throw std::string("its checksum does not fit");
+  const json j = unsealed(text, {entries, turnings}, format_version, key_json(key));
   const json& q = j.at("quality");
   return {key,
           j.at("sticking_speed_squared"),
@@ -67,8 +61,7 @@ void write_oblique_table(const std::filesystem::path& folder, const ObliqueTable
             {"half_way_ratio", table.half_way()},
             {"entry_cells", tree_json(table.entries())},
             {"turning_cells", tree_json(table.turnings())}};
-  const std::string body = j.dump();
-  j["checksum"] = crc32({entries, turnings, body});
+  seal(j, {entries, turnings});
   write_file(folder / (name + "-entries.npy"), entries);
   write_file(folder / (name + "-turnings.npy"), turnings);
   write_file(folder / (name + ".json"), j.dump() + "\n");

@@ -6,6 +6,7 @@
 #include <scalebreak/output/atomic_file.hpp>
 #include <scalebreak/table/npy.hpp>
 #include <scalebreak/table/patch_file.hpp>
+#include <scalebreak/table/table_seal.hpp>
 
 namespace scalebreak {
 namespace {
@@ -27,14 +28,7 @@ json key_json(const RollingKey& key) {
 }
 
 RollingTable parse(const std::string& text, const std::string& entries, const RollingKey& key) {
-  json j = json::parse(text);
-  const json said = j.at("checksum");
-  j.erase("checksum");
-  if (j.at("format_version") != format_version)
-    throw fmt::format("it has format version {}, this program has {}", j.at("format_version").dump(), format_version);
-  if (j.at("key") != key_json(key)) throw std::string("it is of another key");
-  const std::string body = j.dump();
-  if (said != crc32({entries, body})) throw std::string("its checksum does not fit");
+  const json j = unsealed(text, {entries}, format_version, key_json(key));
   const json& q = j.at("quality");
   return {key,
           j.at("sticking_speed_squared"),
@@ -61,8 +55,7 @@ void write_rolling_table(const std::filesystem::path& folder, const RollingTable
             {"sticking_speed_squared", table.plane().sticking_squared},
             {"half_way_ratios", table.half_way()},
             {"cells", tree_json(table.entries())}};
-  const std::string body = j.dump();
-  j["checksum"] = crc32({entries, body});
+  seal(j, {entries});
   write_file(folder / (name + ".npy"), entries);
   write_file(folder / (name + ".json"), j.dump() + "\n");
 }

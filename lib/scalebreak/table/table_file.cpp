@@ -9,6 +9,7 @@
 
 #include <scalebreak/output/atomic_file.hpp>
 #include <scalebreak/table/npy.hpp>
+#include <scalebreak/table/table_seal.hpp>
 
 namespace scalebreak {
 namespace {
@@ -35,12 +36,6 @@ std::string npy(const CollisionTable& table) {
   return bytes;
 }
 
-/// CRC-32 of the array file and of everything the JSON says.
-std::uint32_t checksum(const std::string& array, const json& body) {
-  const std::string text = body.dump();
-  return crc32({array, text});
-}
-
 json axis_json(const Axis& axis) { return {{"first", axis.first}, {"step", axis.step}, {"count", axis.count}}; }
 Axis axis_of(const json& j) { return {j.at("first"), j.at("step"), j.at("count")}; }
 
@@ -51,15 +46,9 @@ json key_json(const TableKey& key) {
           {"tolerance", key.tolerance}};
 }
 
-/// Throws json exceptions and WorkError on anything that does not fit.
+/// Throws json exceptions, WorkError and a std::string on anything that does not fit.
 TableOnDisk parse(const std::string& text, const std::string& array, const TableKey& key) {
-  json j = json::parse(text);
-  const json said = j.at("checksum");
-  j.erase("checksum");
-  if (j.at("format_version") != format_version)
-    return {{}, fmt::format("it has format version {}, this program has {}", j.at("format_version").dump(), format_version)};
-  if (j.at("key") != key_json(key)) return {{}, "it is of another key"};
-  if (said != checksum(array, j)) return {{}, "its checksum does not fit"};
+  const json j = unsealed(text, {array}, format_version, key_json(key));
   StickingCurve curve{axis_of(j.at("sticking_speed_squared").at("axis")),
                       j.at("sticking_speed_squared").at("values").get<std::vector<double>>()};
   const Axis damping = axis_of(j.at("damping_axis")), speed = axis_of(j.at("speed_axis"));
@@ -99,7 +88,7 @@ void write_table(const std::filesystem::path& folder, const CollisionTable& tabl
             {"damping_axis", axis_json(table.damping_axis())},
             {"speed_axis", axis_json(table.speed_axis())},
             {"sticking_speed_squared", {{"axis", axis_json(table.sticking().axis)}, {"values", table.sticking().squared}}}};
-  j["checksum"] = checksum(array, j);
+  seal(j, {array});
   write_file(folder / (name + ".npy"), array);
   write_file(folder / (name + ".json"), j.dump(1) + "\n");
 }
@@ -113,6 +102,8 @@ TableOnDisk read_table(const std::filesystem::path& folder, const TableKey& key)
   if (!text || !array) return {{}, "one of its two files is missing"};
   try {
     return parse(*text, *array, canonical_key);
+  } catch (const std::string& problem) {
+    return {{}, problem};
   } catch (const std::exception& error) {
     return {{}, fmt::format("it cannot be read ({})", error.what())};
   }
