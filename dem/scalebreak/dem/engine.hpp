@@ -42,14 +42,14 @@ class Dem::Engine {
   /// A wall's near spheres, on one thread.
   struct WallPairs {
     dem::Pairs pairs;
-    std::vector<dem::Remembered> remembered;
+    std::vector<dem::Contact> remembered;  ///< what comes into new lists
   };
   /// What one thread works on.
   struct Worker {
     std::uint32_t begin = 0, end = 0;              ///< of the sorted spheres
     std::vector<std::uint32_t> start, neighbours;  ///< of each of them
     dem::Pairs pairs;
-    std::vector<dem::Remembered> remembered;
+    std::vector<dem::Contact> remembered;  ///< what comes into new lists
     std::vector<WallPairs> walls;
     std::vector<std::uint32_t> movers;
     std::vector<dem::Deferred> deferred;
@@ -72,7 +72,8 @@ class Dem::Engine {
   void hand_out(const std::vector<ContactMemory>& contacts);
   void find_neighbours(Worker& worker);
   void select_pairs(Worker& worker);
-  void select_walls(Worker& worker);
+  void select_wall(Worker& worker, std::size_t w);
+  void take_contacts(Worker& worker, dem::Pairs& pairs, std::vector<dem::Contact>& remembered, bool wall);
   void reopen_rows(Worker& worker);
   void clear_marks(Worker& worker);
   void mark_movers(const Worker& worker);
@@ -93,6 +94,7 @@ class Dem::Engine {
   void rethrow();
 
   [[nodiscard]] dem::ForceTask force_task(Worker& worker, dem::Pairs& pairs, const dem::WallView* wall, double history_step);
+  class ListKeeper;
   [[nodiscard]] dem::LawRows& rows_for(Worker& worker, bool wall);
   [[nodiscard]] dem::LawRows::Kind kind_at(std::uint32_t sphere) const { return dem::kind_of(spheres_, material_, sphere); }
   [[nodiscard]] bool has_slides() const { return rows_.mapped().laws.tangential.acts(); }
@@ -102,6 +104,7 @@ class Dem::Engine {
   [[nodiscard]] Cell cell_now() const { return advanced(cell_, setup_.step * static_cast<double>(steps_)); }
   // engine_state.cpp
   [[nodiscard]] std::vector<ContactMemory> contact_memories() const;
+  [[nodiscard]] std::int32_t second_of(const dem::Contact& contact, const dem::WallView* wall) const;
   template <class Archive>
   void archive_head(Archive& archive);
   template <class Archive>

@@ -16,7 +16,7 @@ using namespace dem;
 
 namespace {
 
-constexpr std::uint64_t format = 0x73626465'6d303031;  // "sbdem001"
+constexpr std::uint64_t format = 0x73626465'6d303032;  // "sbdem002"
 
 /// Appends.
 struct Writer {
@@ -57,9 +57,11 @@ struct Reader {
 
 template <class Archive>
 void put_pairs(Archive& archive, Pairs& pairs) {
-  archive.one(pairs.count);
-  archive.list(pairs.first), archive.list(pairs.second), archive.list(pairs.state), archive.list(pairs.reach_squared);
-  archive.list(pairs.begun), archive.list(pairs.row), archive.list(pairs.slide), archive.list(pairs.roll);
+  Contacts& contacts = pairs.contacts;
+  archive.one(pairs.near_count), archive.list(pairs.near_first), archive.list(pairs.near_second);
+  archive.one(contacts.count), archive.one(contacts.sorted), archive.one(contacts.slides), archive.one(contacts.rolls);
+  archive.list(contacts.first), archive.list(contacts.second), archive.list(contacts.state), archive.list(contacts.begun);
+  archive.list(contacts.row), archive.list(contacts.slide), archive.list(contacts.roll);
 }
 
 }  // namespace
@@ -118,7 +120,6 @@ Dem::Engine::Engine(std::string_view saved, const DemSetup& setup) : kernel_(dem
   const Cell cell = cell_now();
   images_ = Images(cell, grid_offset_ + cell_.shear_rate * cell_.size.z() * setup_.step * static_cast<double>(steps_ - steps_at_grid_));
   for (Worker& worker : workers_) {
-    worker.deferred.resize(worker.pairs.count + 1);
     reopen_rows(worker);
   }
 }

@@ -69,7 +69,7 @@ void Dem::Engine::hand_out(const std::vector<ContactMemory>& contacts) {
     return *std::find_if(workers_.begin(), workers_.end(), [&](const Worker& worker) { return sphere < worker.end; });
   };
   for (const ContactMemory& memory : contacts) {
-    Remembered contact{.first = place[static_cast<std::size_t>(memory.first)],
+    Contact contact{.first = place[static_cast<std::size_t>(memory.first)],
                        .state = memory.touching ? touching : bridged,
                        .begun = memory.begun,
                        .slide = {memory.sliding.x(), memory.sliding.y(), memory.sliding.z(), 0},
@@ -81,16 +81,17 @@ void Dem::Engine::hand_out(const std::vector<ContactMemory>& contacts) {
       }
       continue;
     }
-    contact.second = place[static_cast<std::size_t>(memory.second)];
-    if (!grid_->keeps(contact.first, contact.second)) {
-      std::swap(contact.first, contact.second);  // what the first does past the second turns round
+    std::uint32_t second = place[static_cast<std::size_t>(memory.second)];
+    if (!grid_->keeps(contact.first, second)) {
+      std::swap(contact.first, second);  // what the first does past the second turns round
       contact.slide = {-contact.slide.x, -contact.slide.y, -contact.slide.z, 0};
     }
+    contact.second = packed(second, no_image);  // until the near pairs tell
     owner(contact.first).remembered.push_back(contact);
   }
-  const auto sort = [](std::vector<Remembered>& list) {
+  const auto sort = [](std::vector<Contact>& list) {
     std::sort(list.begin(), list.end(),
-              [](const Remembered& a, const Remembered& b) { return std::pair(a.first, a.second) < std::pair(b.first, b.second); });
+              [](const Contact& a, const Contact& b) { return std::pair(a.first, a.second) < std::pair(b.first, b.second); });
   };
   for (Worker& worker : workers_) {
     sort(worker.remembered);
@@ -108,9 +109,26 @@ void Dem::Engine::find_neighbours(Worker& worker) {
   worker.start.back() = static_cast<std::uint32_t>(worker.neighbours.size());
 }
 
+void Dem::Engine::take_contacts(Worker& worker, Pairs& pairs, std::vector<Contact>& remembered, bool wall) {
+  LawRows& rows = rows_for(worker, wall);
+  if (grid_due_ || steps_since_lists_ == 0) {
+    pairs.contacts.slides = has_slides(), pairs.contacts.rolls = has_rolls();
+    pairs.contacts.clear();
+    for (Contact& contact : remembered) {
+      const std::uint32_t i = contact.first, j = wall ? i : sphere_of(contact.second);
+      contact.row = rows.each() ? rows.open(kind_at(i), kind_at(j)) : rows.row_of(spheres_.kind[i], wall ? 0 : spheres_.kind[j]);
+      pairs.contacts.add(contact);
+    }
+    std::vector<Contact>().swap(remembered);
+    pairs.contacts.sorted = pairs.contacts.count;
+  } else {
+    pairs.contacts.tidy();
+  }
+  pairs.part_contacts_from_near(wall);
+}
+
 void Dem::Engine::select_pairs(Worker& worker) {
   Pairs& pairs = worker.pairs;
-  if (!grid_due_ && steps_since_lists_ > 0) worker.remembered = pairs.remember();
   pairs.reserve(worker.neighbours.size() + 1);
   SelectTask task{.spheres = spheres_.view(),
                   .start = worker.start.data() - worker.begin,
@@ -119,74 +137,39 @@ void Dem::Engine::select_pairs(Worker& worker) {
                   .begin = worker.begin,
                   .end = worker.end,
                   .margin = largest_reach() + skins_.near,
-                  .first = pairs.first.data(),
-                  .second = pairs.second.data()};
+                  .first = pairs.near_first.data(),
+                  .second = pairs.near_second.data()};
   kernel_.select(task);
-  pairs.reset(task.count, has_slides(), has_rolls());
-  LawRows& rows = rows_for(worker, false);
-  for (std::uint32_t k = 0; k < pairs.count; ++k) {
-    const std::uint32_t i = pairs.first[k], j = sphere_of(pairs.second[k]);
-    const double touch = spheres_.position[i].w + spheres_.position[j].w;
-    pairs.reach_squared[k] = touch * touch;
-    pairs.row[k] = rows.each() ? 0 : rows.row_of(spheres_.kind[i], spheres_.kind[j]);
-  }
-  if (rows.each()) rows.close_all(), rows.reserve(pairs.count);
-  pairs.recall(worker.remembered, false, [&](std::uint32_t k) {
-    const std::uint32_t i = pairs.first[k], j = sphere_of(pairs.second[k]);
-    if (rows.each()) pairs.row[k] = rows.open(kind_at(i), kind_at(j));
-    const double bridge = rows.bridge() ? rows.bridge()[pairs.row[k]] : 0.0;
-    const double reach = std::sqrt(pairs.reach_squared[k]) + std::max(bridge, rows.hold()[pairs.row[k]]);
-    pairs.reach_squared[k] = reach * reach;
-  });
-  worker.deferred.resize(std::max<std::size_t>(worker.deferred.size(), pairs.count + 1));
-  select_walls(worker);
+  pairs.near_count = task.count;
+  if (rows_.each() && grid_due_) worker.rows.close_all(), worker.wall_rows.close_all();
+  take_contacts(worker, pairs, worker.remembered, false);
+  for (std::size_t w = 0; w < walls_.size(); ++w) select_wall(worker, w);
 }
 
-void Dem::Engine::select_walls(Worker& worker) {
-  std::size_t near_walls = 0;
-  for (std::size_t w = 0; w < walls_.size(); ++w) {
-    Pairs& pairs = worker.walls[w].pairs;
-    if (!grid_due_ && steps_since_lists_ > 0) worker.walls[w].remembered = pairs.remember();
-    pairs.reserve(worker.end - worker.begin + 1);
-    std::uint32_t count = 0;
-    for (std::uint32_t i = worker.begin; i < worker.end; ++i) {
-      const Quad& x = spheres_.position[i];
-      const double gap = walls_[w].side * (walls_[w].place - (&x.x)[walls_[w].axis]) - x.w;
-      if (gap < largest_reach() + skins_.near) pairs.first[count] = i, pairs.second[count++] = 0;
-    }
-    pairs.reset(count, has_slides(), has_rolls());
-    near_walls += count;
+void Dem::Engine::select_wall(Worker& worker, std::size_t w) {
+  Pairs& pairs = worker.walls[w].pairs;
+  pairs.reserve(worker.end - worker.begin + 1);
+  pairs.near_count = 0;
+  for (std::uint32_t i = worker.begin; i < worker.end; ++i) {
+    const Quad& x = spheres_.position[i];
+    const double gap = walls_[w].side * (walls_[w].place - (&x.x)[walls_[w].axis]) - x.w;
+    if (gap >= largest_reach() + skins_.near) continue;
+    pairs.near_first[pairs.near_count] = i;
+    pairs.near_second[pairs.near_count++] = packed(0, no_image);
   }
-  if (walls_.empty()) return;
-  LawRows& rows = rows_for(worker, true);
-  if (rows.each()) rows.close_all(), rows.reserve(near_walls);
-  for (WallPairs& wall : worker.walls) {
-    Pairs& pairs = wall.pairs;
-    for (std::uint32_t k = 0; k < pairs.count; ++k) {
-      const std::uint32_t i = pairs.first[k];
-      pairs.reach_squared[k] = spheres_.position[i].w * spheres_.position[i].w;
-      pairs.row[k] = rows.each() ? 0 : rows.row_of(spheres_.kind[i], 0);
-    }
-    pairs.recall(wall.remembered, true, [&](std::uint32_t k) {
-      const std::uint32_t i = pairs.first[k];
-      if (rows.each()) pairs.row[k] = rows.open(kind_at(i), kind_at(i));
-      const double bridge = rows.bridge() ? rows.bridge()[pairs.row[k]] : 0.0;
-      const double reach = spheres_.position[i].w + std::max(bridge, rows.hold()[pairs.row[k]]);
-      pairs.reach_squared[k] = reach * reach;
-    });
-  }
+  take_contacts(worker, pairs, worker.walls[w].remembered, true);
 }
 
 void Dem::Engine::reopen_rows(Worker& worker) {
   if (!each_) return;
-  const auto reopen = [&](Pairs& pairs, LawRows& rows, bool wall) {
-    for (std::uint32_t k = 0; k < pairs.count; ++k) {
-      const std::uint32_t i = pairs.first[k], j = wall ? i : sphere_of(pairs.second[k]);
-      if (pairs.state[k] != apart) pairs.row[k] = rows.open(kind_at(i), kind_at(j));
+  const auto reopen = [&](Contacts& contacts, LawRows& rows, bool wall) {
+    for (std::uint32_t k = 0; k < contacts.count; ++k) {
+      const std::uint32_t i = contacts.first[k], j = wall ? i : sphere_of(contacts.second[k]);
+      contacts.row[k] = rows.open(kind_at(i), kind_at(j));
     }
   };
-  reopen(worker.pairs, worker.rows, false);
-  for (WallPairs& wall : worker.walls) reopen(wall.pairs, worker.wall_rows, true);
+  reopen(worker.pairs.contacts, worker.rows, false);
+  for (WallPairs& wall : worker.walls) reopen(wall.pairs.contacts, worker.wall_rows, true);
 }
 
 // Spheres that are near none fly on their own until the lists are made anew. Who is near whom is told across threads: all have to
@@ -196,9 +179,12 @@ void Dem::Engine::clear_marks(Worker& worker) { std::fill(moves_.begin() + worke
 
 void Dem::Engine::mark_movers(const Worker& worker) {
   const auto mark = [&](std::uint32_t sphere) { std::atomic_ref(moves_[sphere]).store(1, std::memory_order_relaxed); };
-  for (std::uint32_t k = 0; k < worker.pairs.count; ++k) mark(worker.pairs.first[k]), mark(sphere_of(worker.pairs.second[k]));
+  const Pairs& pairs = worker.pairs;
+  for (std::uint32_t k = 0; k < pairs.near_count; ++k) mark(pairs.near_first[k]), mark(sphere_of(pairs.near_second[k]));
+  for (std::uint32_t k = 0; k < pairs.contacts.count; ++k) mark(pairs.contacts.first[k]), mark(sphere_of(pairs.contacts.second[k]));
   for (const WallPairs& wall : worker.walls) {
-    for (std::uint32_t k = 0; k < wall.pairs.count; ++k) mark(wall.pairs.first[k]);
+    for (std::uint32_t k = 0; k < wall.pairs.near_count; ++k) mark(wall.pairs.near_first[k]);
+    for (std::uint32_t k = 0; k < wall.pairs.contacts.count; ++k) mark(wall.pairs.contacts.first[k]);
   }
 }
 

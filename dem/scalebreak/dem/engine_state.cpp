@@ -4,6 +4,7 @@
 
 #include <scalebreak/base/error.hpp>
 #include <scalebreak/dem/engine.hpp>
+#include <scalebreak/dem/list_keeper.hpp>
 
 // What the engine shows of its state, and how it keeps it.
 
@@ -41,21 +42,27 @@ System Dem::Engine::system() const {
 
 std::vector<ContactMemory> Dem::Engine::contact_memories() const {
   std::vector<ContactMemory> memories;
-  const auto put = [&](const Remembered& contact, std::int32_t second) {
-    memories.push_back({.first = static_cast<std::int32_t>(spheres_.id[contact.first]),
-                        .second = second,
-                        .touching = contact.state == touching,
-                        .begun = contact.begun,
-                        .sliding = vector(contact.slide),
-                        .rolling = vector(contact.roll)});
+  const auto put = [&](const Contacts& contacts, const WallView* wall) {
+    for (std::uint32_t k = 0; k < contacts.count; ++k) {
+      if (contacts.state[k] == apart) continue;
+      const Contact contact = contacts.get(k);
+      memories.push_back({.first = static_cast<std::int32_t>(spheres_.id[contact.first]),
+                          .second = second_of(contact, wall),
+                          .touching = contact.state == touching,
+                          .begun = contact.begun,
+                          .sliding = vector(contact.slide),
+                          .rolling = vector(contact.roll)});
+    }
   };
   for (const Worker& worker : workers_) {
-    for (const Remembered& contact : worker.pairs.remember()) put(contact, static_cast<std::int32_t>(spheres_.id[contact.second]));
-    for (std::size_t w = 0; w < walls_.size(); ++w) {
-      for (const Remembered& contact : worker.walls[w].pairs.remember()) put(contact, wall_number(walls_[w].axis, walls_[w].side > 0));
-    }
+    put(worker.pairs.contacts, nullptr);
+    for (std::size_t w = 0; w < walls_.size(); ++w) put(worker.walls[w].pairs.contacts, &walls_[w]);
   }
   return memories;
+}
+
+std::int32_t Dem::Engine::second_of(const Contact& contact, const WallView* wall) const {
+  return wall ? wall_number(wall->axis, wall->side > 0) : static_cast<std::int32_t>(spheres_.id[sphere_of(contact.second)]);
 }
 
 std::vector<ContactForce> Dem::Engine::contact_forces() const {
@@ -63,18 +70,22 @@ std::vector<ContactForce> Dem::Engine::contact_forces() const {
   Engine copy(*this);
   std::vector<ContactForce> forces;
   const auto visit = [&](Worker& worker, Pairs& pairs, const WallView* wall) {
-    std::vector<Quad> force(pairs.count), branch(pairs.count);
+    const Contacts& contacts = pairs.contacts;
+    std::vector<Quad> force(contacts.count), branch(contacts.count);
     ForceTask task = copy.force_task(worker, pairs, wall, 0);
-    task.pair_force = force.data(), task.pair_branch = branch.data();
+    ListKeeper keeper(copy, worker, pairs, wall != nullptr);
+    task.keeper = &keeper;
+    task.near = {};  // none of them touches: they have just been asked
+    task.contact_force = force.data(), task.contact_branch = branch.data();
     copy.kernel_.forces(task);
-    for (std::uint32_t k = 0; k < pairs.count; ++k) {
-      if (pairs.state[k] == apart) continue;
-      forces.push_back(
-          {.first = static_cast<std::int32_t>(spheres_.id[pairs.first[k]]),
-           .second = wall ? wall_number(wall->axis, wall->side > 0) : static_cast<std::int32_t>(spheres_.id[sphere_of(pairs.second[k])]),
-           .touching = pairs.state[k] == touching,
-           .branch = vector(branch[k]),
-           .force = -vector(force[k])});
+    worker.deferred_count = task.deferred_count;
+    for (std::uint32_t k = 0; k < contacts.count; ++k) {
+      if (contacts.state[k] == apart) continue;
+      forces.push_back({.first = static_cast<std::int32_t>(spheres_.id[contacts.first[k]]),
+                        .second = second_of(contacts.get(k), wall),
+                        .touching = contacts.state[k] == touching,
+                        .branch = vector(branch[k]),
+                        .force = -vector(force[k])});
     }
   };
   for (Worker& worker : copy.workers_) {
@@ -88,21 +99,21 @@ std::vector<ContactForce> Dem::Engine::contact_forces() const {
 double Dem::Engine::elastic_energy() const {
   const double scale = rows_.mapped().force / rows_.mapped().length;
   double energy = 0;
-  const auto add = [&](const Pairs& pairs, const LawRows& rows, const WallView* wall) {
-    for (std::uint32_t k = 0; k < pairs.count; ++k) {
-      if (pairs.state[k] == apart) continue;
-      const Quad& here = spheres_.position[pairs.first[k]];
+  const auto add = [&](const Contacts& contacts, const LawRows& rows, const WallView* wall) {
+    for (std::uint32_t k = 0; k < contacts.count; ++k) {
+      if (contacts.state[k] == apart) continue;
+      const Quad& here = spheres_.position[contacts.first[k]];
       double gap = 0;
       if (wall) {
         gap = wall->side * (wall->place - (&here.x)[wall->axis]) - here.w;
       } else {
-        const Quad &there = spheres_.position[sphere_of(pairs.second[k])], &shift = images_.shift[image_of(pairs.second[k])];
+        const Quad &there = spheres_.position[sphere_of(contacts.second[k])], &shift = images_.shift[image_of(contacts.second[k])];
         gap = (vector(there) + vector(shift) - vector(here)).norm() - here.w - there.w;
       }
-      const ContactLaws& laws = rows.rows()[pairs.row[k]];
+      const ContactLaws& laws = rows.rows()[contacts.row[k]];
       const double overlap = -gap * rows.mapped().length;
       if (laws.liquid.acts()) energy += scale * laws.liquid.capillary_energy(-overlap);
-      if (pairs.state[k] != touching) continue;
+      if (contacts.state[k] != touching) continue;
       ContactPoint point{.overlap = overlap};
       std::visit(
           [&](const auto& law) {
@@ -112,16 +123,16 @@ double Dem::Engine::elastic_energy() const {
             point.overlap_root = std::sqrt(std::sqrt(laws.radius * std::max(overlap, 0.0)));
           },
           laws.normal);
-      if (!pairs.slide.empty()) energy += scale / 2 * laws.tangential.at(point).stiffness * vector(pairs.slide[k]).squaredNorm();
-      if (pairs.roll.empty()) continue;
+      if (contacts.slides) energy += scale / 2 * laws.tangential.at(point).stiffness * vector(contacts.slide[k]).squaredNorm();
+      if (!contacts.rolls) continue;
       const SliderLaw rolling = laws.rolling.at(point);
-      const double square = vector(pairs.roll[k]).squaredNorm();
+      const double square = vector(contacts.roll[k]).squaredNorm();
       if (rolling.stiffness > 0) energy += scale / 2 * (rolling.incremental ? square / rolling.stiffness : square * rolling.stiffness);
     }
   };
   for (const Worker& worker : workers_) {
-    add(worker.pairs, rows_.each() ? worker.rows : rows_, nullptr);
-    for (std::size_t w = 0; w < walls_.size(); ++w) add(worker.walls[w].pairs, rows_.each() ? worker.wall_rows : wall_rows_, &walls_[w]);
+    add(worker.pairs.contacts, rows_.each() ? worker.rows : rows_, nullptr);
+    for (std::size_t w = 0; w < walls_.size(); ++w) add(worker.walls[w].pairs.contacts, rows_.each() ? worker.wall_rows : wall_rows_, &walls_[w]);
   }
   return energy;
 }

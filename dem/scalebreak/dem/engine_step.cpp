@@ -5,6 +5,7 @@
 
 #include <scalebreak/base/error.hpp>
 #include <scalebreak/dem/engine.hpp>
+#include <scalebreak/dem/list_keeper.hpp>
 
 namespace scalebreak {
 
@@ -124,7 +125,9 @@ ForceTask Dem::Engine::force_task(Worker& worker, Pairs& pairs, const WallView* 
   const LawRows& rows = rows_for(worker, wall != nullptr);
   const MappedLaws& mapped = rows.mapped();
   return {.spheres = spheres_.view(),
-          .pairs = pairs.view(),
+          .near = pairs.near(),
+          .contacts = pairs.contacts.view(),
+          .diameter = smallest_ == largest_ ? 2 * smallest_ : 0.0,
           .rows = rows.rows(),
           .one_row = rows.one(),
           .hold = rows.hold(),
@@ -137,49 +140,22 @@ ForceTask Dem::Engine::force_task(Worker& worker, Pairs& pairs, const WallView* 
           .force = mapped.force,
           .torque = mapped.torque,
           .radius_share = rows.radius_share(),
-          .time = time(),
           .history_step = history_step,
           .turns = turns_,
           .sums_moment = keep_sums_,
           .own_begin = worker.begin,
           .own_end = worker.end,
           .deferred = worker.deferred.data(),
-          .deferred_count = worker.deferred_count};
+          .deferred_count = worker.deferred_count,
+          .deferred_room = static_cast<std::uint32_t>(worker.deferred.size())};
 }
-
-namespace {
-
-/// What opens and closes the rows of contacts that have one each.
-struct RowKeeper {
-  ForceTask* task;
-  LawRows* rows;
-  const Spheres* spheres;
-  const std::vector<std::uint8_t>* material;
-
-  [[nodiscard]] LawRows::Kind kind(std::uint32_t sphere) const { return kind_of(*spheres, *material, sphere); }
-};
-
-void open_row(void* context, std::uint32_t pair) {
-  auto& keeper = *static_cast<RowKeeper*>(context);
-  const std::uint32_t i = keeper.task->pairs.first[pair], j = keeper.task->wall ? i : sphere_of(keeper.task->pairs.second[pair]);
-  keeper.task->pairs.row[pair] = keeper.rows->open(keeper.kind(i), keeper.kind(j));
-  keeper.task->rows = keeper.rows->rows(), keeper.task->hold = keeper.rows->hold(), keeper.task->bridge = keeper.rows->bridge();
-}
-
-void close_row(void* context, std::uint32_t pair) {
-  auto& keeper = *static_cast<RowKeeper*>(context);
-  keeper.rows->close(keeper.task->pairs.row[pair]);
-}
-
-}  // namespace
 
 void Dem::Engine::add_forces(Worker& worker, double history_step) {
   worker.deferred_count = 0;
   const auto run = [&](Pairs& pairs, const WallView* wall) {
     ForceTask task = force_task(worker, pairs, wall, history_step);
-    LawRows& rows = rows_for(worker, wall != nullptr);
-    RowKeeper keeper{&task, &rows, &spheres_, &material_};
-    if (rows.each()) task.begin = open_row, task.end = close_row, task.context = &keeper;
+    ListKeeper keeper(*this, worker, pairs, wall != nullptr);
+    task.keeper = &keeper;
     task.tally = worker.tally;
     kernel_.forces(task);
     worker.tally = task.tally;
@@ -207,7 +183,7 @@ void Dem::Engine::take_tallies() {
     totals_.contact_starts += tally.starts;
     totals_.contact_time += tally.touches * setup_.step;
     totals_.wall_work += tally.wall_power * setup_.step;
-    totals_.pairs_tested += worker.pairs.count;
+    totals_.pairs_tested += worker.pairs.count();
     for (int a = 0; a < 3; ++a) {
       for (int b = 0; b < 3; ++b) totals_.contact_moment(a, b) += tally.moment[3 * a + b] * setup_.step;
     }

@@ -21,19 +21,29 @@ inline constexpr std::uint32_t no_image = 13;  ///< of 27: (kx + 1) + 3 (ky + 1)
 [[nodiscard]] constexpr std::uint32_t sphere_of(std::uint32_t packed) { return packed >> image_bits; }
 [[nodiscard]] constexpr std::uint32_t image_of(std::uint32_t packed) { return packed & ((1u << image_bits) - 1); }
 
-/// How two spheres of a pair are to each other.
+/// The image of no cell, too far away for anything: what a pair that has become a contact leaves behind.
+inline constexpr std::uint32_t nowhere = packed(0, 27);
+inline constexpr std::size_t image_places = 28;
+
+/// How two spheres of a contact are to each other.
 enum PairState : std::uint8_t { apart = 0, touching = 1, bridged = 2 };
 
 /// The pairs that may touch before the list is made anew, in the order of their first spheres. A wall's pairs have no second.
-struct PairsView {
+struct NearView {
+  std::uint32_t count = 0;
+  const std::uint32_t* first = nullptr;
+  std::uint32_t* second = nullptr;  ///< packed; `nowhere` once they have touched
+};
+
+/// The pairs that have touched since the list was made, or did before. All lists go on for some places beyond the last contact, so that
+/// whole packs can be read and written.
+struct ContactsView {
   std::uint32_t count = 0;
   const std::uint32_t* first = nullptr;
   const std::uint32_t* second = nullptr;  ///< packed
   std::uint8_t* state = nullptr;
-  double* reach_squared = nullptr;  ///< distance of the centres below which something acts, squared; it grows while they touch
-  std::uint32_t* row = nullptr;     ///< of the laws
-  double* begun = nullptr;          ///< time of first touch
-  Quad* slide = nullptr;            ///< histories; null where no law has one
+  const std::uint32_t* row = nullptr;  ///< of the laws
+  Quad* slide = nullptr;               ///< histories; null where no law has one
   Quad* roll = nullptr;
 };
 
@@ -71,32 +81,46 @@ struct Tally {
   double moment[9] = {};  ///< Σ force on the second × branch to it, rows the force's component [N m]; where asked
 };
 
+struct ForceTask;
+
+/// What the keeper of the lists does when contacts begin and end; `task` shows its lists, and is shown them anew.
+struct ContactKeeper {
+  /// A near pair touches: it becomes the last contact.
+  virtual void meet(ForceTask& task, std::uint32_t first, std::uint32_t second) = 0;
+  /// A contact that was apart touches again.
+  virtual void meet_again(ForceTask& task, std::uint32_t contact) = 0;
+  virtual void part(ForceTask& task, std::uint32_t contact) = 0;
+  /// There is no room for what is deferred.
+  virtual void make_room(ForceTask& task) = 0;
+
+ protected:
+  ~ContactKeeper() = default;
+};
+
 /// The forces of one list of pairs, on one thread.
 struct ForceTask {
   SpheresView spheres;
-  PairsView pairs;
+  NearView near;
+  ContactsView contacts;
+  ContactKeeper* keeper = nullptr;
+  double diameter = 0;                ///< sum of the radii of any two, where all are equal; else 0 [m]
   const ContactLaws* rows = nullptr;  ///< at the variables of the original pair
   bool one_row = true;
   const double* hold = nullptr;    ///< of a row: how far beyond touch a contact lasts [m]
   const double* bridge = nullptr;  ///< of a row: how far beyond touch a bridge lasts [m]; null without bridges
-  const Quad* shift = nullptr;     ///< of the 27 images
+  const Quad* shift = nullptr;     ///< of the images
   const Quad* shift_velocity = nullptr;
   const WallView* wall = nullptr;                      ///< null: pairs of spheres
   double length = 1, spin = 1, force = 1, torque = 1;  ///< see MappedLaws
   double radius_share = 1;                             ///< original over scaled radius
-  double time = 0;
-  double history_step = 0;  ///< by which histories go on [s]; 0: they do not
-  bool turns = false;       ///< do spheres have spins?
+  double history_step = 0;                             ///< by which histories go on [s]; 0: they do not
+  bool turns = false;                                  ///< do spheres have spins?
   bool sums_moment = false;
   std::uint32_t own_begin = 0, own_end = 0;  ///< spheres of this thread; others are deferred
-  Quad* pair_force = nullptr;                ///< where told of: of each pair, on its second; w is not used
-  Quad* pair_branch = nullptr;               ///< from its first centre to its second, or to the wall's plane
+  Quad* contact_force = nullptr;             ///< where told of: of each contact, on its second; w is not used
+  Quad* contact_branch = nullptr;            ///< from its first centre to its second, or to the wall's plane
   Deferred* deferred = nullptr;
-  std::uint32_t deferred_count = 0;
-  /// Called where a pair begins to act, if each pair has a row of its own: must set pairs.row[k].
-  void (*begin)(void* context, std::uint32_t pair) = nullptr;
-  void (*end)(void* context, std::uint32_t pair) = nullptr;
-  void* context = nullptr;
+  std::uint32_t deferred_count = 0, deferred_room = 0;
   Tally tally;
 };
 

@@ -2,6 +2,8 @@
 #include <cmath>
 #include <cstring>
 #include <experimental/simd>
+#include <type_traits>
+#include <utility>
 
 #include <scalebreak/contact/stepped_slider.hpp>
 #include <scalebreak/dem/kernel/kernel.hpp>

@@ -1,10 +1,12 @@
 // Included once per instruction set, inside that set's namespace (see kernel_*.cpp).
 
-#include "contact_block.hpp"
+#include "contact_lanes.hpp"
 // in this order
-#include "contact_passes.hpp"
+#include "contact_laws.hpp"
 // in this order
-#include "force_loop.hpp"
+#include "near_loop.hpp"
+// in this order
+#include "contact_loop.hpp"
 
 template <bool turns, bool estimates>
 void move_spheres(MoveTask& task) {

@@ -15,38 +15,79 @@ using Four [[gnu::vector_size(32)]] = double;
 [[gnu::always_inline]] inline void store(Quad& quad, Four four) { std::memcpy(static_cast<void*>(&quad), &four, sizeof four); }
 [[gnu::always_inline]] inline Four all(double x) { return Four{x, x, x, x}; }
 
-[[gnu::always_inline]] inline Pack packs(const double* values) { return Pack(values, stdx::element_aligned); }
-[[gnu::always_inline]] inline void put(double* values, const Pack& pack) { pack.copy_to(values, stdx::element_aligned); }
-
-/// x, y and z of `width` neighbouring quads. Four of them are transposed in registers.
-template <class P = Pack>
-[[gnu::always_inline]] inline Vector3Of<P> vectors(const Quad* quads) {
-  if constexpr (P::size() == 4) {
-    using Order [[gnu::vector_size(32)]] = long;
-    const Four a = load(quads[0]), b = load(quads[1]), c = load(quads[2]), d = load(quads[3]);
-    const Four even1 = __builtin_shuffle(a, b, Order{0, 4, 2, 6}), odd1 = __builtin_shuffle(a, b, Order{1, 5, 3, 7});
-    const Four even2 = __builtin_shuffle(c, d, Order{0, 4, 2, 6}), odd2 = __builtin_shuffle(c, d, Order{1, 5, 3, 7});
-    return {std::bit_cast<P>(Four(__builtin_shuffle(even1, even2, Order{0, 1, 4, 5}))),
-            std::bit_cast<P>(Four(__builtin_shuffle(odd1, odd2, Order{0, 1, 4, 5}))),
-            std::bit_cast<P>(Four(__builtin_shuffle(even1, even2, Order{2, 3, 6, 7})))};
-  } else {
-    return {P([&](auto k) { return quads[k].x; }), P([&](auto k) { return quads[k].y; }), P([&](auto k) { return quads[k].z; })};
+/// Calls `work` with each lane's number, a constant.
+template <class Work>
+[[gnu::always_inline]] inline void each_lane(Work work) {
+  [&]<std::size_t... lane>(std::index_sequence<lane...>) __attribute__((always_inline)) {
+    (work(std::integral_constant<std::uint32_t, static_cast<std::uint32_t>(lane)>{}), ...);
   }
+  (std::make_index_sequence<width>{});
 }
 
-/// Puts them there, with w = 0.
-template <class P>
-[[gnu::always_inline]] inline void put(Quad* quads, const Vector3Of<P>& v) {
+/// Four quads turned into their x, y, z and w, or back.
+[[gnu::always_inline]] inline void transpose(const Four* from, Four* to) {
+  using Order [[gnu::vector_size(32)]] = long;
+  const Four even1 = __builtin_shuffle(from[0], from[1], Order{0, 4, 2, 6}), odd1 = __builtin_shuffle(from[0], from[1], Order{1, 5, 3, 7});
+  const Four even2 = __builtin_shuffle(from[2], from[3], Order{0, 4, 2, 6}), odd2 = __builtin_shuffle(from[2], from[3], Order{1, 5, 3, 7});
+  to[0] = __builtin_shuffle(even1, even2, Order{0, 1, 4, 5});
+  to[1] = __builtin_shuffle(odd1, odd2, Order{0, 1, 4, 5});
+  to[2] = __builtin_shuffle(even1, even2, Order{2, 3, 6, 7});
+  to[3] = __builtin_shuffle(odd1, odd2, Order{2, 3, 6, 7});
+}
+
+/// x, y, z and w of `width` quads.
+struct Columns {
+  Pack x, y, z, w;
+};
+template <class P = Pack>
+[[gnu::always_inline]] inline Columns columns(const Four* quads) {
+  struct Halves {
+    Four low, high;
+  };
   if constexpr (P::size() == 4) {
-    using Order [[gnu::vector_size(32)]] = long;
-    const Four x = std::bit_cast<Four>(v.x), y = std::bit_cast<Four>(v.y), z = std::bit_cast<Four>(v.z), none = all(0);
-    const Four xy02 = __builtin_shuffle(x, y, Order{0, 4, 2, 6}), xy13 = __builtin_shuffle(x, y, Order{1, 5, 3, 7});
-    const Four zw02 = __builtin_shuffle(z, none, Order{0, 4, 2, 6}), zw13 = __builtin_shuffle(z, none, Order{1, 5, 3, 7});
-    store(quads[0], __builtin_shuffle(xy02, zw02, Order{0, 1, 4, 5}));
-    store(quads[1], __builtin_shuffle(xy13, zw13, Order{0, 1, 4, 5}));
-    store(quads[2], __builtin_shuffle(xy02, zw02, Order{2, 3, 6, 7}));
-    store(quads[3], __builtin_shuffle(xy13, zw13, Order{2, 3, 6, 7}));
+    Four c[4];
+    transpose(quads, c);
+    return {std::bit_cast<P>(c[0]), std::bit_cast<P>(c[1]), std::bit_cast<P>(c[2]), std::bit_cast<P>(c[3])};
+  } else if constexpr (P::size() == 8) {
+    Four a[4], b[4];
+    transpose(quads, a), transpose(quads + 4, b);
+    return {std::bit_cast<P>(Halves{a[0], b[0]}), std::bit_cast<P>(Halves{a[1], b[1]}), std::bit_cast<P>(Halves{a[2], b[2]}),
+            std::bit_cast<P>(Halves{a[3], b[3]})};
   } else {
-    for (std::uint32_t k = 0; k < width; ++k) quads[k] = {v.x[k], v.y[k], v.z[k], 0};
+    return {P([&](auto k) { return quads[k][0]; }), P([&](auto k) { return quads[k][1]; }), P([&](auto k) { return quads[k][2]; }),
+            P([&](auto k) { return quads[k][3]; })};
   }
+}
+[[gnu::always_inline]] inline Vectors vectors(const Four* quads) {
+  const Columns c = columns(quads);
+  return {c.x, c.y, c.z};
+}
+/// Of neighbouring quads.
+[[gnu::always_inline]] inline Vectors vectors(const Quad* quads) {
+  Four rows[width];
+  each_lane([&](auto k) { rows[k] = load(quads[k]); });
+  return vectors(rows);
+}
+
+/// The other way; w is 0.
+template <class P = Pack>
+[[gnu::always_inline]] inline void spread(const Vector3Of<P>& v, Four* quads) {
+  struct Halves {
+    Four low, high;
+  };
+  if constexpr (P::size() == 4) {
+    const Four c[4] = {std::bit_cast<Four>(v.x), std::bit_cast<Four>(v.y), std::bit_cast<Four>(v.z), all(0)};
+    transpose(c, quads);
+  } else if constexpr (P::size() == 8) {
+    const auto x = std::bit_cast<Halves>(v.x), y = std::bit_cast<Halves>(v.y), z = std::bit_cast<Halves>(v.z);
+    const Four low[4] = {x.low, y.low, z.low, all(0)}, high[4] = {x.high, y.high, z.high, all(0)};
+    transpose(low, quads), transpose(high, quads + 4);
+  } else {
+    each_lane([&](auto k) { quads[k] = Four{v.x[k], v.y[k], v.z[k], 0}; });
+  }
+}
+[[gnu::always_inline]] inline void put(Quad* quads, const Vectors& v) {
+  Four rows[width];
+  spread(v, rows);
+  each_lane([&](auto k) { store(quads[k], rows[k]); });
 }

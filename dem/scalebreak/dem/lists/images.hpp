@@ -7,9 +7,9 @@
 
 namespace scalebreak::dem {
 
-/// Where the 27 images of a cell lie and how they move; see no_image for their numbers.
+/// Where the 27 images of a cell lie and how they move; see no_image for their numbers. The last place is nowhere.
 struct Images {
-  std::array<Quad, 27> shift, velocity;
+  std::array<Quad, image_places> shift, velocity;
 
   /// `offset` is that of the image above along x, which may go on beyond the cell's edge [m].
   Images(const Cell& cell, double offset) {
@@ -19,6 +19,7 @@ struct Images {
       shift[k] = {x * cell.size.x() + z * offset, y * cell.size.y(), z * cell.size.z(), 0};
       velocity[k] = {z * cell.shear_rate * cell.size.z(), 0, 0, 0};
     }
+    shift.back() = {1e100, 0, 0, 0};
   }
 };
 

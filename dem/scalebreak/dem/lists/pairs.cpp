@@ -1,67 +1,104 @@
 #include <scalebreak/dem/lists/pairs.hpp>
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace scalebreak::dem {
 
-PairsView Pairs::view() {
+namespace {
+
+/// Beyond the last contact, so that whole packs can be read and written.
+constexpr std::size_t spare = 8;
+
+}  // namespace
+
+ContactsView Contacts::view() {
   return {.count = count,
           .first = first.data(),
           .second = second.data(),
           .state = state.data(),
-          .reach_squared = reach_squared.data(),
           .row = row.data(),
-          .begun = begun.data(),
-          .slide = slide.empty() ? nullptr : slide.data(),
-          .roll = roll.empty() ? nullptr : roll.data()};
+          .slide = slides ? slide.data() : nullptr,
+          .roll = rolls ? roll.data() : nullptr};
+}
+
+Contact Contacts::get(std::uint32_t k) const {
+  return {first[k], second[k], state[k], row[k], begun[k], slides ? slide[k] : Quad{}, rolls ? roll[k] : Quad{}};
+}
+
+void Contacts::put(std::uint32_t k, const Contact& contact) {
+  first[k] = contact.first, second[k] = contact.second, state[k] = contact.state, row[k] = contact.row, begun[k] = contact.begun;
+  if (slides) slide[k] = contact.slide;
+  if (rolls) roll[k] = contact.roll;
+}
+
+void Contacts::add(const Contact& contact) {
+  if (first.size() < count + 1 + spare) {
+    const std::size_t room = count + count / 4 + 1 + spare;
+    const auto grow = [&](auto& list) { list.reserve(room), list.resize(room); };
+    grow(first), grow(second), grow(row), grow(state), grow(begun);
+    if (slides) grow(slide);
+    if (rolls) grow(roll);
+  }
+  put(count++, contact);
+}
+
+void Contacts::tidy() {
+  std::vector<Contact> late;
+  for (std::uint32_t k = sorted; k < count; ++k) {
+    if (state[k] != apart) late.push_back(get(k));
+  }
+  std::stable_sort(late.begin(), late.end(), [](const Contact& a, const Contact& b) { return a.first < b.first; });
+  std::uint32_t kept = 0;
+  for (std::uint32_t k = 0; k < sorted; ++k) {
+    if (state[k] == apart) continue;
+    if (kept != k) put(kept, get(k));
+    ++kept;
+  }
+  // From the back, so that nothing is overwritten before it has moved.
+  count = sorted = kept + static_cast<std::uint32_t>(late.size());
+  for (std::uint32_t to = count; !late.empty();) {
+    if (kept > 0 && first[kept - 1] > late.back().first) {
+      put(--to, get(--kept));
+    } else {
+      put(--to, late.back());
+      late.pop_back();
+    }
+  }
+}
+
+std::size_t Contacts::bytes() const {
+  return (first.capacity() + second.capacity() + row.capacity()) * sizeof(std::uint32_t) + state.capacity() +
+         begun.capacity() * sizeof(double) + (slide.capacity() + roll.capacity()) * sizeof(Quad);
 }
 
 void Pairs::reserve(std::size_t pairs) {
-  if (first.size() >= pairs) return;
-  first.resize(pairs);
-  second.resize(pairs);
+  if (near_first.size() >= pairs) return;
+  near_first.resize(pairs);
+  near_second.resize(pairs);
 }
 
-void Pairs::reset(std::uint32_t pairs, bool slides, bool rolls) {
-  count = pairs;
-  state.assign(count, apart);
-  reach_squared.resize(count);
-  begun.resize(count);
-  row.resize(count);
-  // One more, so that a list without pairs still has histories.
-  if (slides) slide.resize(count + 1);
-  if (rolls) roll.resize(count + 1);
-}
-
-std::vector<Remembered> Pairs::remember() const {
-  std::vector<Remembered> contacts;
-  for (std::uint32_t k = 0; k < count; ++k) {
-    if (state[k] == apart) continue;
-    Remembered contact{.first = first[k], .second = sphere_of(second[k]), .state = state[k], .begun = begun[k]};
-    if (!slide.empty()) contact.slide = slide[k];
-    if (!roll.empty()) contact.roll = roll[k];
-    contacts.push_back(contact);
+void Pairs::part_contacts_from_near(bool wall) {
+  std::uint32_t from = 0;
+  for (std::uint32_t k = 0; k < contacts.count; ++k) {
+    const std::uint32_t first = contacts.first[k], second = sphere_of(contacts.second[k]);
+    while (from < near_count && near_first[from] < first) ++from;
+    std::uint32_t pair = from;
+    const auto is_it = [&] { return wall || (near_second[pair] != nowhere && sphere_of(near_second[pair]) == second); };
+    while (pair < near_count && near_first[pair] == first && !is_it()) ++pair;
+    if (pair == near_count || near_first[pair] != first)
+      throw std::logic_error("a contact was lost when the list of near pairs was made anew");
+    contacts.second[k] = near_second[pair];
+    near_second[pair] = nowhere;
   }
-  return contacts;
-}
-
-std::uint32_t Pairs::find(const Remembered& contact, bool wall, std::uint32_t from) const {
-  for (std::uint32_t k = from; k < count && first[k] == contact.first; ++k) {
-    if (wall || sphere_of(second[k]) == contact.second) return k;
+  std::uint32_t kept = 0;
+  for (std::uint32_t pair = 0; pair < near_count; ++pair) {
+    near_first[kept] = near_first[pair], near_second[kept] = near_second[pair];
+    kept += near_second[pair] != nowhere ? 1u : 0u;
   }
-  throw std::logic_error("a contact was lost when the list of near pairs was made anew");
+  near_count = kept;
 }
 
-void Pairs::put(std::uint32_t pair, const Remembered& contact) {
-  state[pair] = contact.state;
-  begun[pair] = contact.begun;
-  if (!slide.empty()) slide[pair] = contact.slide;
-  if (!roll.empty()) roll[pair] = contact.roll;
-}
-
-std::size_t Pairs::bytes() const {
-  return (first.capacity() + second.capacity() + row.capacity()) * sizeof(std::uint32_t) + state.capacity() +
-         (reach_squared.capacity() + begun.capacity()) * sizeof(double) + (slide.capacity() + roll.capacity()) * sizeof(Quad);
-}
+std::size_t Pairs::bytes() const { return (near_first.capacity() + near_second.capacity()) * sizeof(std::uint32_t) + contacts.bytes(); }
 
 }  // namespace scalebreak::dem

@@ -7,50 +7,48 @@
 
 namespace scalebreak::dem {
 
-/// A contact as it is carried from one list of pairs to the next.
-struct Remembered {
-  std::uint32_t first = 0, second = 0;  ///< places of the spheres; of a wall's pair the second is not used
+/// A contact with all that it remembers.
+struct Contact {
+  std::uint32_t first = 0, second = 0;  ///< places of the spheres, the second packed; of a wall's contact it is not used
   std::uint8_t state = touching;
-  double begun = 0;
+  std::uint32_t row = 0;
+  double begun = 0;  ///< time of first touch [s]
   Quad slide, roll;
 };
 
-/// A list of near pairs with what they remember, as the kernel works on it.
-struct Pairs {
-  std::vector<std::uint32_t> first, second;  ///< second: packed
+/// The contacts of a list, as the kernel works on them.
+struct Contacts {
+  std::vector<std::uint32_t> first, second, row;
   std::vector<std::uint8_t> state;
-  std::vector<double> reach_squared, begun;
-  std::vector<std::uint32_t> row;
+  std::vector<double> begun;
   std::vector<Quad> slide, roll;
-  std::uint32_t count = 0;
+  std::uint32_t count = 0, sorted = 0;  ///< so many of them are in the order of their first spheres
+  bool slides = false, rolls = false;   ///< do they remember these?
 
-  [[nodiscard]] PairsView view();
-  /// Makes room for so many pairs in `first` and `second`.
-  void reserve(std::size_t pairs);
-  /// All pairs in `first` and `second` up to `pairs` are apart from now on.
-  void reset(std::uint32_t pairs, bool slides, bool rolls);
-  /// What is not apart, in the order of the list.
-  [[nodiscard]] std::vector<Remembered> remember() const;
-  /// Puts it back; both lists are sorted by their first spheres. `place` is called with the pair's number. Throws std::logic_error if a
-  /// contact is not in the list.
-  template <class Place>
-  void recall(const std::vector<Remembered>& contacts, bool wall, Place place);
+  [[nodiscard]] ContactsView view();
+  [[nodiscard]] Contact get(std::uint32_t k) const;
+  void put(std::uint32_t k, const Contact& contact);
+  void add(const Contact& contact);
+  /// Forgets what is apart, and puts the rest in the order of their first spheres.
+  void tidy();
+  void clear() { count = sorted = 0; }
   [[nodiscard]] std::size_t bytes() const;
-
- private:
-  [[nodiscard]] std::uint32_t find(const Remembered& contact, bool wall, std::uint32_t from) const;
-  void put(std::uint32_t pair, const Remembered& contact);
 };
 
-template <class Place>
-void Pairs::recall(const std::vector<Remembered>& contacts, bool wall, Place place) {
-  std::uint32_t from = 0;
-  for (const Remembered& contact : contacts) {
-    while (from < count && first[from] < contact.first) ++from;
-    const std::uint32_t pair = find(contact, wall, from);
-    put(pair, contact);
-    place(pair);
-  }
-}
+/// Near pairs and contacts: the spheres that may act on each other before the list is made anew.
+struct Pairs {
+  std::vector<std::uint32_t> near_first, near_second;  ///< second: packed
+  std::uint32_t near_count = 0;
+  Contacts contacts;
+
+  [[nodiscard]] NearView near() { return {near_count, near_first.data(), near_second.data()}; }
+  [[nodiscard]] std::uint32_t count() const { return near_count + contacts.count; }
+  /// Makes room for so many near pairs.
+  void reserve(std::size_t pairs);
+  /// Takes the contacts, which are tidy, out of the near pairs, and sees them in the image that the near pair has. Throws
+  /// std::logic_error if a contact is not among the near pairs.
+  void part_contacts_from_near(bool wall);
+  [[nodiscard]] std::size_t bytes() const;
+};
 
 }  // namespace scalebreak::dem

@@ -1,0 +1,111 @@
+// Included once per instruction set, inside that set's namespace (see kernel_*.cpp): contacts side by side.
+
+#include "lanes.hpp"
+
+/// What of the spins a scene needs: nothing; how the surfaces slide, with the radii as arms; or all.
+enum class Turns { none, sliding, all };
+
+/// `width` contacts that follow each other in the list. Lanes beyond its end repeat the last.
+struct ContactLanes {
+  std::uint32_t begin, count;
+  std::uint32_t first[width], second[width], row[width];
+  Vectors between;          ///< from the first centre to the second
+  Pack touch;               ///< sum of the radii
+  Vectors velocity;         ///< of the first past the second
+  Vectors swirl;            ///< radius1 ω1 + radius2 ω2, of Turns::sliding
+  Vectors spin1, spin2;     ///< of Turns::all
+  Pack radius1, radius2;    ///< where spheres turn
+  Pack solid, acts;         ///< 1 where solids touch, where anything acts; else 0
+  bool partly = false;      ///< is one of them 0 somewhere?
+};
+
+/// The places of the contacts from k on.
+[[gnu::always_inline]] inline void number(const ForceTask& task, std::uint32_t k, ContactLanes& at) {
+  const ContactsView& contacts = task.contacts;
+  at.begin = k, at.count = contacts.count - k < width ? contacts.count - k : width;
+  each_lane([&](auto lane) {
+    const std::uint32_t c = k + (lane < at.count ? static_cast<std::uint32_t>(lane) : at.count - 1);
+    at.first[lane] = contacts.first[c], at.second[lane] = contacts.second[c];
+    if (!task.one_row) at.row[lane] = contacts.row[c];
+  });
+}
+
+/// How the centres lie to each other.
+template <bool wall>
+[[gnu::always_inline]] inline void locate(const ForceTask& task, ContactLanes& at) {
+  const Quad* const position = task.spheres.position;
+  Four between[width], radii[width];
+  each_lane([&](auto lane) __attribute__((always_inline)) {
+    const Four here = load(position[at.first[lane]]);
+    if constexpr (wall) {
+      Quad along;
+      (&along.x)[task.wall->axis] = task.wall->place - here[task.wall->axis];
+      between[lane] = load(along), radii[lane] = here;
+    } else {
+      const std::uint32_t other = at.second[lane];
+      const Four there = load(position[sphere_of(other)]);
+      between[lane] = there - here + load(task.shift[image_of(other)]);
+      radii[lane] = here + there;
+    }
+  });
+  at.between = vectors(between);
+  at.touch = !wall && task.diameter > 0 ? Pack(task.diameter) : columns(radii).w;
+}
+
+/// w of the quads of the lanes' first or second spheres.
+template <class Place>
+[[gnu::always_inline]] inline Pack radii(const ForceTask& task, Place place) {
+  Four rows[width];
+  each_lane([&](auto lane) { rows[lane] = load(task.spheres.position[place(lane)]); });
+  return columns(rows).w;
+}
+template <class Place>
+[[gnu::always_inline]] inline Vectors spins(const ForceTask& task, Place place) {
+  Four rows[width];
+  each_lane([&](auto lane) { rows[lane] = load(task.spheres.seen_spin[place(lane)]); });
+  return vectors(rows);
+}
+
+/// How the spheres move past each other.
+template <Turns turns, bool wall>
+[[gnu::always_inline]] inline void collect(const ForceTask& task, ContactLanes& at) {
+  const SpheresView& spheres = task.spheres;
+  Four velocity[width];
+  each_lane([&](auto lane) __attribute__((always_inline)) {
+    const Four own = load(spheres.seen_velocity[at.first[lane]]);
+    if constexpr (wall) {
+      velocity[lane] = own - load(task.wall->velocity);
+    } else {
+      const std::uint32_t other = at.second[lane];
+      velocity[lane] = own - load(spheres.seen_velocity[sphere_of(other)]) - load(task.shift_velocity[image_of(other)]);
+    }
+  });
+  at.velocity = vectors(velocity);
+  if constexpr (turns == Turns::none) return;
+  const auto first = [&](auto lane) { return at.first[lane]; };
+  const auto second = [&](auto lane) { return sphere_of(at.second[lane]); };
+  const bool equal = !wall && task.diameter > 0;
+  at.radius1 = equal ? Pack(task.diameter / 2) : radii(task, first);
+  at.radius2 = equal ? at.radius1 : wall ? Pack(0) : radii(task, second);
+  if (turns == Turns::sliding && equal) {
+    Four sum[width];
+    each_lane([&](auto lane) { sum[lane] = load(spheres.seen_spin[first(lane)]) + load(spheres.seen_spin[second(lane)]); });
+    at.swirl = at.radius1 * vectors(sum);
+  } else if (turns == Turns::sliding) {
+    at.swirl = at.radius1 * spins(task, first) + at.radius2 * spins(task, second);
+  } else {
+    at.spin1 = task.turns ? spins(task, first) : Vectors{};
+    at.spin2 = task.turns && !wall ? spins(task, second) : Vectors{};
+  }
+}
+
+/// A law of lib as packs, of the rows that the contacts have; `part` takes it out of a row.
+template <class LawOf, class Part>
+[[gnu::always_inline]] inline LawOf law_of_rows(const ForceTask& task, const ContactLanes& at, Part part) {
+  return LawOf::from(part(task.rows[0]),
+                     [&](auto member) { return Pack([&](auto lane) { return part(task.rows[at.row[lane]]).*member; }); });
+}
+template <class LawOf, class Part>
+[[gnu::always_inline]] inline LawOf law_of_all(const ForceTask& task, Part part) {
+  return LawOf::from(part(task.rows[0]), [&](auto member) { return Pack(part(task.rows[0]).*member); });
+}

@@ -1,0 +1,180 @@
+// Included once per instruction set, inside that set's namespace (see kernel_*.cpp).
+
+/// All contacts of a list worked through, `width` at a time.
+template <class LawForm, Turns turns, bool wall>
+struct ContactLoop {
+  ForceTask& task;
+  const bool turning = turns == Turns::sliding || (turns == Turns::all && task.turns);
+  Vectors moment[3];  ///< of the force's x, y and z, by the branch
+
+  [[gnu::noinline]] void run() {
+    const Acting acting(task.rows[0]);
+    PackedLaws<LawForm, turns> laws{};
+    if (task.one_row) laws.make_of_all(task, acting);
+    if (task.contacts.count == 0) return;
+    const double solids_before = task.tally.touches;
+    for (std::uint32_t k = 0; k < task.contacts.count; k += width) {
+      ContactLanes at;
+      number(task, k, at);
+      locate<wall>(task, at);
+      const Pack square = at.between.dot(at.between);
+      if (!look(at, square)) continue;
+      if (!task.one_row) laws.make_of_rows(task, at, acting);
+      collect<turns, wall>(task, at);
+      const Exerted out = exert<LawForm, turns, wall>(task, acting, laws, at, square);
+      if (task.sums_moment) add_moment(at, out);
+      scatter(at, out);
+      if (wall || task.contact_force) tell(at, out);
+    }
+    if (wall) task.tally.touches = (task.tally.touches + solids_before) / 2;
+    if (!task.sums_moment) return;
+    for (int a = 0; a < 3; ++a) {
+      const Pack* const parts[3] = {&moment[a].x, &moment[a].y, &moment[a].z};
+      for (int b = 0; b < 3; ++b) task.tally.moment[3 * a + b] += reduce(*parts[b]);
+    }
+  }
+
+  /// Which lanes touch; false if none acts. All that touched and do so still is the rule.
+  [[gnu::always_inline]] bool look(ContactLanes& at, const Pack& square) {
+    const std::uint8_t* const state = task.contacts.state + at.begin;
+    at.partly = false;
+    at.solid = at.acts = Pack(1);
+    if (at.count == width && !task.bridge) {
+      const Pack reach = at.touch + (task.one_row ? Pack(task.hold[0]) : Pack([&](auto lane) { return task.hold[at.row[lane]]; }));
+      bool known = true;
+      each_lane([&](auto lane) { known = known && state[lane] == touching; });
+      if (known && all_of(square < reach * reach)) {
+        task.tally.touches += width;
+        return true;
+      }
+    }
+    return settle(at, square);
+  }
+
+  /// Begins and ends contacts one by one.
+  [[gnu::noinline]] bool settle(ContactLanes& at, const Pack& square) {
+    bool any_acts = false;
+    Pack solid(0), acts(0);
+    for (std::uint32_t lane = 0; lane < at.count; ++lane) {
+      const std::uint32_t k = at.begin + lane;
+      settle(k, square[lane], at.touch[lane]);
+      if (!task.one_row) at.row[lane] = task.contacts.row[k];
+      const std::uint8_t state = task.contacts.state[k];
+      solid[lane] = state == touching ? 1.0 : 0.0, acts[lane] = state != apart ? 1.0 : 0.0;
+      task.tally.touches += state == touching ? 1.0 : 0.0;
+      any_acts = any_acts || state != apart;
+    }
+    at.solid = solid, at.acts = acts, at.partly = true;
+    return any_acts;
+  }
+
+  void settle(std::uint32_t k, double square, double touch) {
+    std::uint8_t* const state = task.contacts.state + k;
+    if (*state == apart) {
+      if (square < touch * touch) task.keeper->meet_again(task, k);
+      return;
+    }
+    const std::uint32_t row = task.contacts.row[k];
+    const double solid_reach = touch + (*state == touching ? task.hold[row] : 0.0);
+    const double reach = task.bridge && task.bridge[row] > solid_reach - touch ? touch + task.bridge[row] : solid_reach;
+    if (!(square < reach * reach)) {
+      task.keeper->part(task, k);
+      return;
+    }
+    const std::uint8_t now = square < solid_reach * solid_reach ? touching : bridged;
+    if (now == *state) return;
+    *state = now;
+    if (task.contacts.slide) task.contacts.slide[k] = {};
+    if (task.contacts.roll) task.contacts.roll[k] = {};
+    if (now == touching) task.tally.starts += wall ? 0.5 : 1.0;
+  }
+
+  /// Adds forces and torques to the spheres. Lanes beyond the end of the list add nothing to its last.
+  [[gnu::always_inline]] void scatter(const ContactLanes& at, const Exerted& out) {
+    const SpheresView spheres = task.spheres;
+    const std::uint32_t own_begin = task.own_begin, own = task.own_end - task.own_begin;
+    Four force[width], torque1[width], torque2[width];
+    spread(out.force, force);
+    if constexpr (turns != Turns::none) spread(out.torque1, torque1), spread(out.torque2, torque2);
+    each_lane([&](auto lane) __attribute__((always_inline)) {
+      const std::uint32_t i = at.first[lane];
+      store(spheres.force[i], load(spheres.force[i]) - force[lane]);
+      if constexpr (turns != Turns::none) {
+        if (turning) store(spheres.torque[i], load(spheres.torque[i]) + torque1[lane]);
+      }
+      if constexpr (!wall) {
+        const std::uint32_t j = sphere_of(at.second[lane]);
+        if (j - own_begin < own) {
+          store(spheres.force[j], load(spheres.force[j]) + force[lane]);
+          if constexpr (turns != Turns::none) {
+            if (turning) store(spheres.torque[j], load(spheres.torque[j]) + torque2[lane]);
+          }
+        } else {
+          defer(j, force[lane], turns != Turns::none ? torque2[lane] : all(0));
+        }
+      }
+    });
+  }
+
+  void defer(std::uint32_t sphere, Four force, Four torque) {
+    if (task.deferred_count == task.deferred_room) task.keeper->make_room(task);
+    Deferred& deferred = task.deferred[task.deferred_count++];
+    deferred.sphere = sphere;
+    store(deferred.force, force);
+    store(deferred.torque, torque);
+  }
+
+  [[gnu::always_inline]] void add_moment(const ContactLanes& at, const Exerted& out) {
+    moment[0] = moment[0] + out.force.x * at.between;
+    moment[1] = moment[1] + out.force.y * at.between;
+    moment[2] = moment[2] + out.force.z * at.between;
+  }
+
+  /// What walls and those who ask want to know.
+  [[gnu::noinline]] void tell(const ContactLanes& at, const Exerted& out) {
+    for (std::uint32_t lane = 0; lane < at.count; ++lane) {
+      const Quad force{out.force.x[lane], out.force.y[lane], out.force.z[lane], 0};
+      if constexpr (wall) {
+        const Quad& velocity = task.wall->velocity;
+        task.tally.wall_power -= force.x * velocity.x + force.y * velocity.y + force.z * velocity.z;
+        if (task.wall->stops_spin && task.turns && at.solid[lane] != 0) stop_spin(at.first[lane]);
+      }
+      if (!task.contact_force) continue;
+      task.contact_force[at.begin + lane] = force;
+      task.contact_branch[at.begin + lane] = {at.between.x[lane], at.between.y[lane], at.between.z[lane], 0};
+    }
+  }
+
+  /// W 5: what touches such a wall has no spin.
+  void stop_spin(std::uint32_t i) {
+    task.spheres.spin[i].x = task.spheres.spin[i].y = task.spheres.spin[i].z = 0;
+    task.spheres.torque[i] = {};
+  }
+};
+
+template <Turns turns, bool wall>
+inline void exert_all(ForceTask& task) {
+  switch (task.rows[0].normal.index()) {
+    case 0: return ContactLoop<Form<Linear>, turns, wall>{task}.run();
+    case 1: return ContactLoop<Form<Hertz>, turns, wall>{task}.run();
+    case 2: return ContactLoop<Form<JkrOnRadius>, turns, wall>{task}.run();
+    default: return ContactLoop<Form<JkrOnOverlap>, turns, wall>{task}.run();
+  }
+}
+
+inline void forces(ForceTask& task) {
+  if (task.wall) {  // few contacts: one loop for all laws of the surfaces
+    meet_wall(task);
+    return exert_all<Turns::all, true>(task);
+  }
+  meet_spheres(task);
+  const ContactLaws& laws = task.rows[0];
+  const bool all_of_it = laws.rolling.acts() || laws.liquid.acts() || (laws.tangential.acts() && laws.arm == TorqueArm::contact);
+  if (all_of_it) {
+    exert_all<Turns::all, false>(task);
+  } else if (laws.tangential.acts()) {
+    exert_all<Turns::sliding, false>(task);
+  } else {
+    exert_all<Turns::none, false>(task);
+  }
+}
