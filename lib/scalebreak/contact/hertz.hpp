@@ -14,10 +14,11 @@ struct Hertz {
   T curvature;  ///< 1/R* [1/m]
   T stiffness;  ///< 4E*/(3R*) [N/m³]
   T dashpot;    ///< 2√(5/3) β √(m* E*) [N s/m^{3/2}]
+  T radius;     ///< R* [m]
 
   [[nodiscard]] static Hertz make(T radius, T young, T mass, T beta) {
     using std::sqrt;
-    return {1 / radius, 4 * young / (3 * radius), 2 * sqrt(T(5) / 3) * beta * sqrt(mass * young)};
+    return {1 / radius, 4 * young / (3 * radius), 2 * sqrt(T(5) / 3) * beta * sqrt(mass * young), radius};
   }
 
   [[nodiscard]] T overlap(T x) const { return curvature * x * x * x * x; }
@@ -43,7 +44,7 @@ struct Hertz {
   }
   [[nodiscard]] T coordinate(T overlap) const {
     using std::sqrt;
-    return sqrt(sqrt(overlap / curvature));
+    return sqrt(sqrt(overlap * radius));
   }
   [[nodiscard]] T touch() const { return T(0); }
   [[nodiscard]] T separation() const { return T(0); }
@@ -52,7 +53,7 @@ struct Hertz {
   template <class Value>
   [[nodiscard]] static Hertz from(const Hertz<double>&, Value value) {
     using Source = Hertz<double>;
-    return {value(&Source::curvature), value(&Source::stiffness), value(&Source::dashpot)};
+    return {value(&Source::curvature), value(&Source::stiffness), value(&Source::dashpot), value(&Source::radius)};
   }
 };
 

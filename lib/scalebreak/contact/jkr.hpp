@@ -22,6 +22,7 @@ struct Jkr {
   T stiffness;         ///< 4E*/(3R*) [N/m³]
   T adhesive_force;    ///< 4 √(πγE*) [N/m^{3/2}]
   T dashpot;           ///< 2√(5/3) β √(m* E*) [N s/m^{3/2}]
+  T radius;            ///< R* [m]
   AdhesionRange range;
 
   /// `surface_energy` must be positive: without it the contact is Hertz's.
@@ -33,6 +34,7 @@ struct Jkr {
             4 * young / (3 * radius),
             4 * sqrt(pi_gamma * young),
             2 * sqrt(T(5) / 3) * beta * sqrt(mass * young),
+            radius,
             range};
   }
 
@@ -80,14 +82,14 @@ struct Jkr {
   /// its root written so that nothing cancels: P = q²/(A² + AB + B²) with A³ − B³ = q², AB = 4Rδ/3.
   [[nodiscard]] T coordinate(T overlap) const {
     using std::sqrt;
-    const T q = adhesive_overlap / curvature;
-    const T third = 4 * overlap / (3 * curvature);
-    const T square = q * q * q * q / 4 + third * third * third;
-    const T a = cube_root(T(q * q / 2 + sqrt(positive_part(square))));
-    const T b = third / a;
-    const T p = sqrt(q * q / (a * a + a * b + b * b));
-    const T rest = 2 * q / p - p * p;
-    return (p + sqrt(positive_part(rest))) / 2;
+    const T q = adhesive_overlap * radius, square = q * q;
+    const T third = T(4) / 3 * radius * overlap;
+    const T sum = square / 2 + sqrt(positive_part(T(square * square / 4 + third * third * third)));  // A³
+    const T inverse = inverse_cube_root(sum);
+    const T a = sum * inverse * inverse, b = third * inverse;
+    const T root = sqrt(a * a + a * b + b * b);
+    const T p = q / root;
+    return (p + sqrt(positive_part(T(2 * root - p * p)))) / 2;
   }
 
   /// x where dδ/dx = 0: no contact exists below (point S).
@@ -119,7 +121,7 @@ struct Jkr {
   [[nodiscard]] static Jkr from(const Jkr<double, damping_on>& form, Value value) {
     using Source = Jkr<double, damping_on>;
     return {value(&Source::curvature),      value(&Source::adhesive_overlap), value(&Source::stiffness),
-            value(&Source::adhesive_force), value(&Source::dashpot),          form.range};
+            value(&Source::adhesive_force), value(&Source::dashpot),          value(&Source::radius), form.range};
   }
 
  private:

@@ -38,7 +38,7 @@ template <class T>
                                                                   const Vector3Of<T>& speed, const T& time) {
   using std::sqrt;
   // By what a vector is shortened to the limit.
-  const auto over = [](const Vector3Of<T>& v, const T& limit) {
+  const auto over = [](const Vector3Of<T>& v, const T& limit) __attribute__((always_inline)) {
     const T square = v.dot(v);
     const auto longer = square > limit * limit;
     if (!any(longer)) return T(1);

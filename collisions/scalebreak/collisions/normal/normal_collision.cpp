@@ -79,7 +79,7 @@ struct Resolver {
     if (ended != End::separated) return finish(speed, y[2], below(energy + law.energy(y[3]) - barrier), barrier);
     const T residue = energy - barrier;
     if (law.range == AdhesionRange::touch || residue < 0) return finish(speed, y[2], residue, barrier);
-    const Jkr<T> free{law.curvature, law.adhesive_overlap, law.stiffness, law.adhesive_force, T(0), law.range};
+    const Jkr<T> free{law.curvature, law.adhesive_overlap, law.stiffness, law.adhesive_force, T(0), law.radius, law.range};
     const contact_path::RegularMotion<T, Jkr<T>> free_motion{free};
     const auto [parted, z] = follow(free_motion, {law.touch(), y[1], y[2]}, law.separation(), barrier);
     finish(speed, z[2], residue, barrier);
