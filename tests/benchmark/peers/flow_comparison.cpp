@@ -69,7 +69,6 @@ FlowResult run_shear(const Runs& runs, System state, double rate, const std::vec
                      .contacts = contacts,
                      .contact_starts = totals.contact_starts,
                      .elastic_energy = dem.elastic_energy(),
-                     .shear_work = totals.shear_work,
                      .contact_time = totals.contact_time,
                      .contact_moment = totals.contact_moment});
   }
