@@ -51,7 +51,7 @@ class Dem::Engine {
     dem::Pairs pairs;
     std::vector<dem::Contact> remembered;  ///< what comes into new lists
     std::vector<WallPairs> walls;
-    std::vector<std::uint32_t> movers;
+    std::vector<std::uint32_t> movers, pushed;  ///< of its own: who is near another, and who may bear a force
     std::vector<dem::Deferred> deferred;
     std::uint32_t deferred_count = 0;
     dem::LawRows rows, wall_rows;  ///< its own, where each contact has a row
@@ -78,6 +78,9 @@ class Dem::Engine {
   void clear_marks(Worker& worker);
   void mark_movers(const Worker& worker);
   void collect_movers(Worker& worker);
+  void collect_pushed(Worker& worker);
+  /// Has a sphere on the list of those who may bear a force, if it is the worker's own.
+  void push(Worker& worker, std::uint32_t sphere);
   /// A sphere that is near none, from the last lists to now: so many steps of velocity Verlet without a force.
   void fly(dem::Quad& position, dem::Quad& velocity) const;
   void bring_up_resting(Worker& worker);
@@ -85,7 +88,7 @@ class Dem::Engine {
   void move(Worker& worker);
   void plan_lists();
   void add_forces(Worker& worker, double history_step);
-  void fetch_deferred(const Worker& worker);
+  void fetch_deferred(Worker& worker);
   void take_tallies();
   void kick(std::uint32_t sphere, double share);
   [[noreturn]] void unstable(double speed) const;
@@ -123,7 +126,8 @@ class Dem::Engine {
   double flow_rate_ = 0;                                     ///< of the profile that speeds are bounded about [1/s]
 
   std::vector<Worker> workers_;
-  std::vector<std::uint8_t> moves_;  ///< of each sphere: is it near another?
+  std::vector<std::uint8_t> moves_;   ///< of each sphere: is it near another?
+  std::vector<std::uint8_t> pushed_;  ///< is it on the list of those who may bear a force?
   std::optional<dem::Grid> grid_;
   dem::Images images_;
   double grid_offset_ = 0;  ///< of the image above when the grid was made [m]

@@ -89,6 +89,7 @@ void Dem::Engine::archive_body(Archive& archive) {
   for (Worker& worker : workers_) {
     archive.one(worker.begin), archive.one(worker.end), archive.one(worker.resting_fastest_squared);
     archive.list(worker.start), archive.list(worker.neighbours), archive.list(worker.movers);
+    archive.list(worker.pushed);
     put_pairs(archive, worker.pairs);
     for (WallPairs& wall : worker.walls) put_pairs(archive, wall.pairs);
   }
@@ -119,8 +120,10 @@ Dem::Engine::Engine(std::string_view saved, const DemSetup& setup) : kernel_(dem
   archive_body(reader);
   const Cell cell = cell_now();
   images_ = Images(cell, grid_offset_ + cell_.shear_rate * cell_.size.z() * setup_.step * static_cast<double>(steps_ - steps_at_grid_));
+  pushed_.resize(spheres_.count());
   for (Worker& worker : workers_) {
     reopen_rows(worker);
+    for (const std::uint32_t sphere : worker.pushed) pushed_[sphere] = 1;
   }
 }
 

@@ -201,6 +201,22 @@ void Dem::Engine::collect_movers(Worker& worker) {
   worker.resting_fastest_squared = fastest;
 }
 
+void Dem::Engine::push(Worker& worker, std::uint32_t sphere) {
+  if (sphere - worker.begin >= worker.end - worker.begin || pushed_[sphere]) return;
+  pushed_[sphere] = 1;
+  worker.pushed.push_back(sphere);
+}
+
+void Dem::Engine::collect_pushed(Worker& worker) {
+  std::fill(pushed_.begin() + worker.begin, pushed_.begin() + worker.end, std::uint8_t{0});
+  worker.pushed.clear();
+  const Contacts& contacts = worker.pairs.contacts;
+  for (std::uint32_t k = 0; k < contacts.count; ++k) push(worker, contacts.first[k]), push(worker, sphere_of(contacts.second[k]));
+  for (const WallPairs& wall : worker.walls) {
+    for (std::uint32_t k = 0; k < wall.pairs.contacts.count; ++k) push(worker, wall.pairs.contacts.first[k]);
+  }
+}
+
 void Dem::Engine::fly(Quad& x, Quad& v) const {
   const double steps = static_cast<double>(steps_since_lists_), time = steps * setup_.step,
                fall = setup_.step * setup_.step * steps * (steps + 1) / 2;

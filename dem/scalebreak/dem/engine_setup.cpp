@@ -35,13 +35,13 @@ Dem::Engine::Engine(const System& start, const DemSetup& setup)
   make_grid(start.contacts);
   for (Worker& worker : workers_) find_neighbours(worker);
   for (Worker& worker : workers_) select_pairs(worker);
-  for (Worker& worker : workers_) clear_marks(worker);
+  for (Worker& worker : workers_) clear_marks(worker), collect_pushed(worker);
   for (const Worker& worker : workers_) mark_movers(worker);
   for (Worker& worker : workers_) collect_movers(worker);
   // The forces of the start, by which velocities are set half a step back; histories stay as they are.
   for (Worker& worker : workers_) add_forces(worker, 0);
   rethrow();
-  for (const Worker& worker : workers_) fetch_deferred(worker);
+  for (Worker& worker : workers_) fetch_deferred(worker);
   for (Worker& worker : workers_) worker.tally.touches = worker.tally.wall_power = 0;
   take_tallies();
   for (std::uint32_t i = 0; i < spheres_.count(); ++i) kick(i, -0.5);
@@ -120,6 +120,7 @@ void Dem::Engine::make_workers() {
     if (rows_.each()) worker.rows = rows_, worker.wall_rows = wall_rows_;
   }
   moves_.resize(spheres_.count());
+  pushed_.resize(spheres_.count());
 }
 
 LawRows& Dem::Engine::rows_for(Worker& worker, bool wall) {

@@ -138,9 +138,9 @@ double Dem::Engine::elastic_energy() const {
 }
 
 std::size_t Dem::Engine::bytes() const {
-  std::size_t bytes = spheres_.bytes() + moves_.capacity() + material_.capacity();
+  std::size_t bytes = spheres_.bytes() + moves_.capacity() + pushed_.capacity() + material_.capacity();
   for (const Worker& worker : workers_) {
-    bytes += (worker.start.capacity() + worker.neighbours.capacity() + worker.movers.capacity()) * sizeof(std::uint32_t);
+    bytes += (worker.start.capacity() + worker.neighbours.capacity() + worker.movers.capacity() + worker.pushed.capacity()) * sizeof(std::uint32_t);
     bytes += worker.pairs.bytes() + worker.deferred.capacity() * sizeof(Deferred);
     for (const WallPairs& wall : worker.walls) bytes += wall.pairs.bytes();
   }

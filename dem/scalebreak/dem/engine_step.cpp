@@ -50,6 +50,7 @@ void Dem::Engine::advance(long steps) {
 #pragma omp barrier
         guarded(worker, [&] { select_pairs(worker); });
         clear_marks(worker);
+        collect_pushed(worker);
 #pragma omp barrier
         mark_movers(worker);
 #pragma omp barrier
@@ -77,6 +78,7 @@ void Dem::Engine::move(Worker& worker) {
     task.estimate = spheres_.seen_velocity.data();
     task.estimate_spin = turns_ ? spheres_.seen_spin.data() : nullptr;
   }
+  task.pushed = worker.pushed.data(), task.pushed_count = static_cast<std::uint32_t>(worker.pushed.size());
   if (movers == stretch) {
     task.begin = worker.begin, task.end = worker.end;
   } else {
@@ -165,7 +167,7 @@ void Dem::Engine::add_forces(Worker& worker, double history_step) {
   for (std::size_t w = 0; w < walls_.size(); ++w) run(worker.walls[w].pairs, &walls_[w]);
 }
 
-void Dem::Engine::fetch_deferred(const Worker& worker) {
+void Dem::Engine::fetch_deferred(Worker& worker) {
   const auto add = [](Quad& to, const Quad& from) { to = {to.x + from.x, to.y + from.y, to.z + from.z, 0}; };
   for (const Worker& other : workers_) {
     for (std::uint32_t k = 0; k < other.deferred_count; ++k) {
@@ -173,6 +175,7 @@ void Dem::Engine::fetch_deferred(const Worker& worker) {
       if (deferred.sphere - worker.begin >= worker.end - worker.begin) continue;
       add(spheres_.force[deferred.sphere], deferred.force);
       if (turns_) add(spheres_.torque[deferred.sphere], deferred.torque);
+      push(worker, deferred.sphere);
     }
   }
 }

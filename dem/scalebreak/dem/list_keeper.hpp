@@ -12,6 +12,8 @@ class Dem::Engine::ListKeeper final : public dem::ContactKeeper {
   void meet(dem::ForceTask& task, std::uint32_t first, std::uint32_t second) override {
     const std::uint32_t row = open(first, second);
     pairs_.contacts.add({.first = first, .second = second, .row = row, .begun = engine_.time()});
+    engine_.push(worker_, first);
+    if (!wall_) engine_.push(worker_, dem::sphere_of(second));
     show(task);
     task.tally.starts += share();
   }

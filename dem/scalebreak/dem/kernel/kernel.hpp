@@ -124,12 +124,14 @@ struct ForceTask {
   Tally tally;
 };
 
-/// One step of the spheres listed: v += a dt, x += v dt.
+/// One step: v += a dt, x += v dt. Forces are taken from the spheres `pushed` alone, as those of all others are zero.
 struct MoveTask {
   SpheresView spheres;
   Quad* estimate = nullptr;  ///< of the velocity at the step's end, or null
   Quad* estimate_spin = nullptr;
-  const std::uint32_t* movers = nullptr;  ///< null: all of [begin, end)
+  const std::uint32_t* pushed = nullptr;
+  std::uint32_t pushed_count = 0;
+  const std::uint32_t* movers = nullptr;  ///< those that move, null: all of [begin, end)
   std::uint32_t begin = 0, end = 0;
   double step = 0;
   Quad gravity;

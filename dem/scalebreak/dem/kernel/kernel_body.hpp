@@ -8,31 +8,43 @@
 // in this order
 #include "contact_loop.hpp"
 
-template <bool turns, bool estimates>
-void move_spheres(MoveTask& task) {
+template <bool turns>
+void push_spheres(const MoveTask& task) {
   const SpheresView& s = task.spheres;
   const double dt = task.step;
-  const Four step = {dt, dt, dt, 0}, half = {dt / 2, dt / 2, dt / 2, 0}, gravity = load(task.gravity);
-  Four fastest = all(0), poison = all(0);  // of what is not a number, not a number comes out
-  const auto one = [&](std::uint32_t i) __attribute__((always_inline)) {
-    const Four velocity = load(s.velocity[i]), position = load(s.position[i]);
-    const Four acceleration = load(s.force[i]) * all(velocity[3]) + gravity;
-    const Four moved = velocity + acceleration * step, there = position + moved * step;
-    store(s.velocity[i], moved);
-    store(s.position[i], there);
+  const Four step = {dt, dt, dt, 0};
+  for (std::uint32_t k = 0; k < task.pushed_count; ++k) {
+    const std::uint32_t i = task.pushed[k];
+    const Four velocity = load(s.velocity[i]), gain = load(s.force[i]) * all(velocity[3]);
+    store(s.velocity[i], velocity + gain * step);
     store(s.force[i], all(0));
-    Four peculiar = moved;
-    peculiar[0] -= task.shear_rate * (there[2] - task.middle);
-    peculiar *= peculiar;
-    fastest = fastest > peculiar ? fastest : peculiar;
-    poison += peculiar - peculiar;
-    if constexpr (estimates) store(task.estimate[i], moved + acceleration * half);
     if constexpr (turns) {
       const Four spin = load(s.spin[i]), turned = load(s.torque[i]) * all(spin[3]);
       store(s.spin[i], spin + turned * step);
       store(s.torque[i], all(0));
-      if constexpr (estimates) store(task.estimate_spin[i], spin + turned * step + turned * half);
     }
+  }
+}
+
+template <bool falls>
+void move_spheres(MoveTask& task) {
+  const SpheresView& s = task.spheres;
+  const double dt = task.step;
+  const Four step = {dt, dt, dt, 0}, gain = load(task.gravity) * step;
+  Four fastest = all(0), poison = all(0);  // of what is not a number, not a number comes out
+  const auto one = [&](std::uint32_t i) __attribute__((always_inline)) {
+    Four velocity = load(s.velocity[i]);
+    if constexpr (falls) {
+      velocity += gain;
+      store(s.velocity[i], velocity);
+    }
+    const Four there = load(s.position[i]) + velocity * step;
+    store(s.position[i], there);
+    Four peculiar = velocity;
+    peculiar[0] -= task.shear_rate * (there[2] - task.middle);
+    peculiar *= peculiar;
+    fastest = fastest > peculiar ? fastest : peculiar;
+    poison += peculiar - peculiar;
   };
   if (task.movers) {
     for (std::uint32_t k = task.begin; k < task.end; ++k) one(task.movers[k]);
@@ -42,13 +54,36 @@ void move_spheres(MoveTask& task) {
   task.fastest_squared = fastest[0] + fastest[1] + fastest[2] + poison[0] + poison[1] + poison[2];
 }
 
-inline void move(MoveTask& task) {
-  const bool turns = task.spheres.spin != nullptr, estimates = task.estimate != nullptr;
-  if (turns) {
-    estimates ? move_spheres<true, true>(task) : move_spheres<true, false>(task);
-  } else {
-    estimates ? move_spheres<false, true>(task) : move_spheres<false, false>(task);
+/// The same, of a scene whose dashpots see velocities carried half a step on: all forces are taken from all movers.
+template <bool turns>
+void push_and_estimate(MoveTask& task) {
+  const SpheresView& s = task.spheres;
+  const double dt = task.step;
+  const Four step = {dt, dt, dt, 0}, half = {dt / 2, dt / 2, dt / 2, 0}, gravity = load(task.gravity);
+  for (std::uint32_t k = task.begin; k < task.end; ++k) {
+    const std::uint32_t i = task.movers ? task.movers[k] : k;
+    const Four velocity = load(s.velocity[i]), acceleration = load(s.force[i]) * all(velocity[3]) + gravity;
+    store(s.velocity[i], velocity + load(s.force[i]) * all(velocity[3]) * step);
+    store(s.force[i], all(0));
+    store(task.estimate[i], velocity + acceleration * step + acceleration * half);
+    if constexpr (turns) {
+      const Four spin = load(s.spin[i]), turned = load(s.torque[i]) * all(spin[3]);
+      store(s.spin[i], spin + turned * step);
+      store(s.torque[i], all(0));
+      store(task.estimate_spin[i], spin + turned * step + turned * half);
+    }
   }
+}
+
+inline void move(MoveTask& task) {
+  const bool turns = task.spheres.spin != nullptr;
+  if (task.estimate) {
+    turns ? push_and_estimate<true>(task) : push_and_estimate<false>(task);
+  } else {
+    turns ? push_spheres<true>(task) : push_spheres<false>(task);
+  }
+  const Quad& g = task.gravity;
+  g.x != 0 || g.y != 0 || g.z != 0 ? move_spheres<true>(task) : move_spheres<false>(task);
 }
 
 inline void select(SelectTask& task) {
