@@ -70,10 +70,10 @@ void Dem::Engine::hand_out(const std::vector<ContactMemory>& contacts) {
   };
   for (const ContactMemory& memory : contacts) {
     Contact contact{.first = place[static_cast<std::size_t>(memory.first)],
-                       .state = memory.touching ? touching : bridged,
-                       .begun = memory.begun,
-                       .slide = {memory.sliding.x(), memory.sliding.y(), memory.sliding.z(), 0},
-                       .roll = {memory.rolling.x(), memory.rolling.y(), memory.rolling.z(), 0}};
+                    .state = memory.touching ? touching : bridged,
+                    .begun = memory.begun,
+                    .slide = {memory.sliding.x(), memory.sliding.y(), memory.sliding.z(), 0},
+                    .roll = {memory.rolling.x(), memory.rolling.y(), memory.rolling.z(), 0}};
     if (memory.second < 0) {
       Worker& worker = owner(contact.first);
       for (std::size_t w = 0; w < walls_.size(); ++w) {

@@ -132,7 +132,8 @@ double Dem::Engine::elastic_energy() const {
   };
   for (const Worker& worker : workers_) {
     add(worker.pairs.contacts, rows_.each() ? worker.rows : rows_, nullptr);
-    for (std::size_t w = 0; w < walls_.size(); ++w) add(worker.walls[w].pairs.contacts, rows_.each() ? worker.wall_rows : wall_rows_, &walls_[w]);
+    for (std::size_t w = 0; w < walls_.size(); ++w)
+      add(worker.walls[w].pairs.contacts, rows_.each() ? worker.wall_rows : wall_rows_, &walls_[w]);
   }
   return energy;
 }
@@ -140,7 +141,8 @@ double Dem::Engine::elastic_energy() const {
 std::size_t Dem::Engine::bytes() const {
   std::size_t bytes = spheres_.bytes() + moves_.capacity() + pushed_.capacity() + material_.capacity();
   for (const Worker& worker : workers_) {
-    bytes += (worker.start.capacity() + worker.neighbours.capacity() + worker.movers.capacity() + worker.pushed.capacity()) * sizeof(std::uint32_t);
+    bytes += (worker.start.capacity() + worker.neighbours.capacity() + worker.movers.capacity() + worker.pushed.capacity()) *
+             sizeof(std::uint32_t);
     bytes += worker.pairs.bytes() + worker.deferred.capacity() * sizeof(Deferred);
     for (const WallPairs& wall : worker.walls) bytes += wall.pairs.bytes();
   }

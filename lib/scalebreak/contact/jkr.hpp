@@ -120,8 +120,13 @@ struct Jkr {
   template <class Value>
   [[nodiscard]] static Jkr from(const Jkr<double, damping_on>& form, Value value) {
     using Source = Jkr<double, damping_on>;
-    return {value(&Source::curvature),      value(&Source::adhesive_overlap), value(&Source::stiffness),
-            value(&Source::adhesive_force), value(&Source::dashpot),          value(&Source::radius), form.range};
+    return {value(&Source::curvature),
+            value(&Source::adhesive_overlap),
+            value(&Source::stiffness),
+            value(&Source::adhesive_force),
+            value(&Source::dashpot),
+            value(&Source::radius),
+            form.range};
   }
 
  private:

@@ -9,14 +9,20 @@ enum class Turns { none, sliding, all };
 struct ContactLanes {
   std::uint32_t begin, count;
   std::uint32_t first[width], second[width], row[width];
-  Vectors between;          ///< from the first centre to the second
-  Pack touch;               ///< sum of the radii
-  Vectors velocity;         ///< of the first past the second
-  Vectors swirl;            ///< radius1 ω1 + radius2 ω2, of Turns::sliding
-  Vectors spin1, spin2;     ///< of Turns::all
-  Pack radius1, radius2;    ///< where spheres turn
-  Pack solid, acts;         ///< 1 where solids touch, where anything acts; else 0
-  bool partly = false;      ///< is one of them 0 somewhere?
+  Vectors between;           ///< from the first centre to the second
+  Pack touch;                ///< sum of the radii
+  Pack square, inverse;      ///< of the distance of the centres
+  Pack overlap, coordinate;  ///< of the original pair
+  Pack solid, acts;          ///< 1 where solids touch, where anything acts; else 0
+  bool partly;               ///< is one of them 0 somewhere?
+};
+
+/// How they move past each other.
+struct Motion {
+  Vectors velocity;       ///< of the first past the second
+  Vectors swirl;          ///< radius1 ω1 + radius2 ω2, of Turns::sliding
+  Vectors spin1, spin2;   ///< of Turns::all
+  Pack radius1, radius2;  ///< where spheres turn
 };
 
 /// The places of the contacts from k on.
@@ -66,9 +72,9 @@ template <class Place>
   return vectors(rows);
 }
 
-/// How the spheres move past each other.
 template <Turns turns, bool wall>
-[[gnu::always_inline]] inline void collect(const ForceTask& task, ContactLanes& at) {
+[[gnu::always_inline]] inline Motion motion_of(const ForceTask& task, const ContactLanes& at) {
+  Motion motion;
   const SpheresView& spheres = task.spheres;
   Four velocity[width];
   each_lane([&](auto lane) __attribute__((always_inline)) {
@@ -80,23 +86,24 @@ template <Turns turns, bool wall>
       velocity[lane] = own - load(spheres.seen_velocity[sphere_of(other)]) - load(task.shift_velocity[image_of(other)]);
     }
   });
-  at.velocity = vectors(velocity);
-  if constexpr (turns == Turns::none) return;
+  motion.velocity = vectors(velocity);
+  if constexpr (turns == Turns::none) return motion;
   const auto first = [&](auto lane) { return at.first[lane]; };
   const auto second = [&](auto lane) { return sphere_of(at.second[lane]); };
   const bool equal = !wall && task.diameter > 0;
-  at.radius1 = equal ? Pack(task.diameter / 2) : radii(task, first);
-  at.radius2 = equal ? at.radius1 : wall ? Pack(0) : radii(task, second);
+  motion.radius1 = equal ? Pack(task.diameter / 2) : radii(task, first);
+  motion.radius2 = equal ? motion.radius1 : wall ? Pack(0) : radii(task, second);
   if (turns == Turns::sliding && equal) {
     Four sum[width];
     each_lane([&](auto lane) { sum[lane] = load(spheres.seen_spin[first(lane)]) + load(spheres.seen_spin[second(lane)]); });
-    at.swirl = at.radius1 * vectors(sum);
+    motion.swirl = motion.radius1 * vectors(sum);
   } else if (turns == Turns::sliding) {
-    at.swirl = at.radius1 * spins(task, first) + at.radius2 * spins(task, second);
+    motion.swirl = motion.radius1 * spins(task, first) + motion.radius2 * spins(task, second);
   } else {
-    at.spin1 = task.turns ? spins(task, first) : Vectors{};
-    at.spin2 = task.turns && !wall ? spins(task, second) : Vectors{};
+    motion.spin1 = task.turns ? spins(task, first) : Vectors{};
+    motion.spin2 = task.turns && !wall ? spins(task, second) : Vectors{};
   }
+  return motion;
 }
 
 /// A law of lib as packs, of the rows that the contacts have; `part` takes it out of a row.

@@ -34,20 +34,34 @@ struct PackedLaws {
   template <class MakeLaw>
   [[gnu::always_inline]] void make(const Acting& acting, MakeLaw law) {
     using Source = typename LawForm::Source;
-    law(normal, [](const ContactLaws& laws) __attribute__((always_inline)) -> const Source& { return *std::get_if<Source>(&laws.normal); });
+    law(
+        normal, [](const ContactLaws& laws) __attribute__((always_inline))->const Source& { return *std::get_if<Source>(&laws.normal); });
     if constexpr (turns != Turns::none)
-      law(friction, [](const ContactLaws& laws) __attribute__((always_inline)) -> const Tangential& { return laws.tangential; });
+      law(
+          friction, [](const ContactLaws& laws) __attribute__((always_inline))->const Tangential& { return laws.tangential; });
     if constexpr (turns == Turns::all) {
-      if (acting.rolling) law(rolling, [](const ContactLaws& laws) __attribute__((always_inline)) -> const Rolling& { return laws.rolling; });
-      if (acting.liquid) law(liquid, [](const ContactLaws& laws) __attribute__((always_inline)) -> const Liquid& { return laws.liquid; });
+      if (acting.rolling)
+        law(
+            rolling, [](const ContactLaws& laws) __attribute__((always_inline))->const Rolling& { return laws.rolling; });
+      if (acting.liquid)
+        law(
+            liquid, [](const ContactLaws& laws) __attribute__((always_inline))->const Liquid& { return laws.liquid; });
     }
   }
   [[gnu::always_inline]] void make_of_all(const ForceTask& task, const Acting& acting) {
-    make(acting, [&](auto& law, auto part) __attribute__((always_inline)) { law = law_of_all<std::decay_t<decltype(law)>>(task, part); });
+    make(
+        acting, [&](auto& law, auto part) __attribute__((always_inline)) { law = law_of_all<std::decay_t<decltype(law)>>(task, part); });
     radius = Pack(task.rows[0].radius);
   }
+  [[gnu::always_inline]] void make_normal_of_rows(const ForceTask& task, const ContactLanes& at) {
+    using Source = typename LawForm::Source;
+    normal = law_of_rows<typename LawForm::Packed>(
+        task, at, [](const ContactLaws& row) -> const Source& { return *std::get_if<Source>(&row.normal); });
+  }
   [[gnu::always_inline]] void make_of_rows(const ForceTask& task, const ContactLanes& at, const Acting& acting) {
-    make(acting, [&](auto& law, auto part) __attribute__((always_inline)) { law = law_of_rows<std::decay_t<decltype(law)>>(task, at, part); });
+    make(
+        acting, [&](auto& law, auto part)
+                    __attribute__((always_inline)) { law = law_of_rows<std::decay_t<decltype(law)>>(task, at, part); });
     radius = Pack([&](auto lane) { return task.rows[at.row[lane]].radius; });
   }
 };
@@ -57,26 +71,35 @@ struct Exerted {
   Vectors force, torque1, torque2;
 };
 
+/// The overlap of the original pair, and the normal law's own coordinate there. Its roots depend on each other: what is made of several
+/// packs at a time here is made side by side by the processor.
+template <class LawForm>
+[[gnu::always_inline]] inline void press(const ForceTask& task, const typename LawForm::Packed& law, ContactLanes& at) {
+  using std::sqrt;
+  using Source = typename LawForm::Source;
+  constexpr bool adhesive = std::is_same_v<Source, JkrOnRadius<double>> || std::is_same_v<Source, JkrOnOverlap<double>>;
+  const Pack distance = sqrt(at.square);
+  at.inverse = 1.0 / distance;
+  at.overlap = task.length * (at.touch - distance);
+  at.coordinate = law.coordinate(adhesive ? at.overlap : positive_part(at.overlap));
+}
+
 /// All laws of the contacts `at`, at the variables of the original pair; their histories go on.
 template <class LawForm, Turns turns, bool wall>
 [[gnu::always_inline]] inline Exerted exert(const ForceTask& task, const Acting& acting, const PackedLaws<LawForm, turns>& laws,
-                                            const ContactLanes& at, const Pack& square) {
+                                            const ContactLanes& at, const Motion& motion) {
   using std::sqrt;
   using Source = typename LawForm::Source;
   constexpr bool hertz = std::is_same_v<Source, Hertz<double>>;
-  constexpr bool adhesive = std::is_same_v<Source, JkrOnRadius<double>> || std::is_same_v<Source, JkrOnOverlap<double>>;
   const Pack time(task.history_step * task.length);
-  const Pack distance = sqrt(square), inverse = 1.0 / distance;
-  const Vectors normal = inverse * at.between;
-  const Pack approach = normal.dot(at.velocity), depth = task.length * (at.touch - distance);
-  const Pack overlap = adhesive ? depth : positive_part(depth);
-  const Pack x = laws.normal.coordinate(overlap);
+  const Vectors normal = at.inverse * at.between;
+  const Pack approach = normal.dot(motion.velocity), depth = at.overlap, x = at.coordinate;
   Pack along = laws.normal.force(x) + laws.normal.damping(x) * approach;
   ContactPointOf<Pack> point{.overlap = depth, .root = laws.normal.root_radius(x), .load = abs(laws.normal.load(x, along))};
   if (hertz) {
     point.overlap_root = x;
   } else if (acting.root) {
-    point.overlap_root = sqrt(sqrt(laws.radius * positive_part(overlap)));
+    point.overlap_root = sqrt(sqrt(laws.radius * positive_part(depth)));
   }
   if (at.partly) {
     along *= at.solid;
@@ -87,15 +110,15 @@ template <class LawForm, Turns turns, bool wall>
     out.force = along * normal;
   } else {
     Quad* const slides = task.contacts.slide + at.begin;
-    Vectors speed = at.velocity - approach * normal, first, second, across;
+    Vectors speed = motion.velocity - approach * normal, first, second, across;
     Pack arm1, arm2;
     if constexpr (turns == Turns::sliding) {
-      speed = speed + (task.spin * task.radius_share) * at.swirl.cross(normal);
+      speed = speed + (task.spin * task.radius_share) * motion.swirl.cross(normal);
     } else {
       // How the normal turns the spheres' surfaces, and at which arms.
       const Pack spin(task.spin), share(task.radius_share), lost(task.rows[0].arm == TorqueArm::contact ? wall ? 1.0 : 0.5 : 0.0);
-      first = spin * at.spin1.cross(normal), second = spin * at.spin2.cross(normal);
-      arm1 = share * at.radius1 - lost * depth, arm2 = share * at.radius2 - (wall ? Pack(0) : lost) * depth;
+      first = spin * motion.spin1.cross(normal), second = spin * motion.spin2.cross(normal);
+      arm1 = share * motion.radius1 - lost * depth, arm2 = share * motion.radius2 - (wall ? Pack(0) : lost) * depth;
       speed = speed + arm1 * first + arm2 * second;
     }
     if (turns == Turns::sliding || acting.friction) {
@@ -106,7 +129,7 @@ template <class LawForm, Turns turns, bool wall>
     }
     if constexpr (turns == Turns::sliding) {
       const Vectors per_arm = Pack(-task.torque * task.radius_share) * normal.cross(across);
-      out.torque1 = at.radius1 * per_arm, out.torque2 = at.radius2 * per_arm;
+      out.torque1 = motion.radius1 * per_arm, out.torque2 = motion.radius2 * per_arm;
     } else {
       Vectors turning;
       if (acting.rolling) {
@@ -121,8 +144,8 @@ template <class LawForm, Turns turns, bool wall>
         const Pack separation = max(-depth, liquid.separation_min);
         along += at.acts * (liquid.normal_drag(separation) * approach - liquid.capillary_force(separation));
         if (liquid.viscous) {
-          const Vectors centres = at.velocity - approach * normal;
-          const Pack radius1 = task.radius_share * at.radius1, radius2 = task.radius_share * at.radius2;
+          const Vectors centres = motion.velocity - approach * normal;
+          const Pack radius1 = task.radius_share * motion.radius1, radius2 = task.radius_share * motion.radius2;
           across = across + at.acts * (liquid.tangential_drag(separation) * centres +
                                        liquid.rolling_drag(separation) * (radius1 * first + radius2 * second));
         }

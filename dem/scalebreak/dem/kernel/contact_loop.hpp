@@ -1,5 +1,8 @@
 // Included once per instruction set, inside that set's namespace (see kernel_*.cpp).
 
+/// So many packs of contacts are pressed before the rest of their laws follows.
+inline constexpr std::uint32_t block_size = 8;
+
 /// All contacts of a list worked through, `width` at a time.
 template <class LawForm, Turns turns, bool wall>
 struct ContactLoop {
@@ -13,18 +16,28 @@ struct ContactLoop {
     if (task.one_row) laws.make_of_all(task, acting);
     if (task.contacts.count == 0) return;
     const double solids_before = task.tally.touches;
-    for (std::uint32_t k = 0; k < task.contacts.count; k += width) {
-      ContactLanes at;
-      number(task, k, at);
-      locate<wall>(task, at);
-      const Pack square = at.between.dot(at.between);
-      if (!look(at, square)) continue;
-      if (!task.one_row) laws.make_of_rows(task, at, acting);
-      collect<turns, wall>(task, at);
-      const Exerted out = exert<LawForm, turns, wall>(task, acting, laws, at, square);
-      if (task.sums_moment) add_moment(at, out);
-      scatter(at, out);
-      if (wall || task.contact_force) tell(at, out);
+    ContactLanes block[block_size];
+    for (std::uint32_t k = 0; k < task.contacts.count;) {
+      std::uint32_t filled = 0;
+      for (; filled < block_size && k < task.contacts.count; k += width) {
+        ContactLanes& at = block[filled];
+        number(task, k, at);
+        locate<wall>(task, at);
+        at.square = at.between.dot(at.between);
+        if (look(at, at.square)) ++filled;
+      }
+      for (std::uint32_t n = 0; n < filled; ++n) {
+        if (!task.one_row) laws.make_normal_of_rows(task, block[n]);
+        press<LawForm>(task, laws.normal, block[n]);
+      }
+      for (std::uint32_t n = 0; n < filled; ++n) {
+        const ContactLanes& at = block[n];
+        if (!task.one_row) laws.make_of_rows(task, at, acting);
+        const Exerted out = exert<LawForm, turns, wall>(task, acting, laws, at, motion_of<turns, wall>(task, at));
+        if (task.sums_moment) add_moment(at, out);
+        scatter(at, out);
+        if (wall || task.contact_force) tell(at, out);
+      }
     }
     if (wall) task.tally.touches = (task.tally.touches + solids_before) / 2;
     if (!task.sums_moment) return;
