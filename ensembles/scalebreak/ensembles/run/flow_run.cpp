@@ -29,14 +29,14 @@ Sample FlowInstant::sample() const {
           .contact_moment = totals.contact_moment};
 }
 
-FlowRun::FlowRun(const Input& input, std::uint64_t replica, int threads) : gravity_(input.cell.gravity) {
+FlowRun::FlowRun(const Input& input, std::uint64_t replica, int threads, const TableStore* tables) : gravity_(input.cell.gravity) {
   const FlowStart start = flow_start(input, replica);
   const System& system = start.system;
   record_.replica = replica;
   record_.particles = system.count();
   record_.cell = system.cell.size;
   record_.volume_fraction = volume_fraction(system.cell, system.radius);
-  record_.step = choose_step(input, step_scene(input, system, start.speed));
+  record_.step = choose_step(input, step_scene(input, system, start.speed), tables);
   record_.schedule = run_schedule(run_times(input, system.cell), record_.step.step);
   record_.gravity_energy = gravity_energy(system, gravity_);
   record_.warnings = start.warnings;
