@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <scalebreak/base/version.hpp>
+#include <scalebreak/ensembles/engine/energy_account.hpp>
 #include <scalebreak/measure/flow_json.hpp>
 
 namespace scalebreak {
@@ -76,6 +77,8 @@ json run_json(const Input& input, const RunOutcome& outcome) {
   if (outcome.replicas.size() == 1) j["particles"] = first.particles;
   j.update(step_json(first));
   j.update(flow_json(outcome.measured));
+  const std::optional<std::string> open = why_account_is_open(input);
+  j["energy_drift_missing"] = open ? json(*open) : json();
   return j;
 }
 

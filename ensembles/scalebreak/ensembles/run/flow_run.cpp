@@ -2,6 +2,7 @@
 
 #include <scalebreak/base/bytes.hpp>
 #include <scalebreak/ensembles/engine/dem_engine.hpp>
+#include <scalebreak/ensembles/engine/energy_account.hpp>
 #include <scalebreak/ensembles/engine/flow_start.hpp>
 #include <scalebreak/start/filling.hpp>
 
@@ -41,7 +42,7 @@ FlowRun::FlowRun(const Input& input, std::uint64_t replica, int threads, const T
   record_.gravity_energy = gravity_energy(system, gravity_);
   record_.warnings = start.warnings;
   if (!record_.step.warning.empty()) record_.warnings.push_back(record_.step.warning);
-  engine_ = std::make_unique<DemEngine>(system, dem_setup(input, record_.schedule.step, threads));
+  engine_ = std::make_unique<DemEngine>(system, dem_setup(input, record_.schedule.step, threads), why_account_is_open(input).has_value());
   engine_->keep_sums(measures());
   look();
 }
@@ -50,7 +51,8 @@ FlowRun::FlowRun(const Input& input, std::string_view saved, int threads) : grav
   record_.load(saved);
   take_bytes(saved, sample_);
   measurement_.load(take_text(saved));
-  engine_ = std::make_unique<DemEngine>(std::string_view(take_text(saved)), dem_setup(input, record_.schedule.step, threads));
+  engine_ = std::make_unique<DemEngine>(std::string_view(take_text(saved)), dem_setup(input, record_.schedule.step, threads),
+                                        why_account_is_open(input).has_value());
   engine_->keep_sums(measures());
 }
 
