@@ -22,8 +22,8 @@ struct MeetingSpeed {
 /// Of the contacts that occur in a flow of the scaled system, the one that lasts least.
 struct ShortestContact {
   MeetingSpeed meeting;
-  double time = 0;       ///< [s]; 0: none, as nothing moves or every pair sticks
-  std::string of;        ///< who meets: "[material] with [second]", "[material] with [wall]"
+  double time = 0;  ///< [s]; 0: none, as nothing moves or every pair sticks
+  std::string of;   ///< who meets: "[material] with [second]", "[material] with [wall]"
   bool tabulated = false;
   std::string resolved;  ///< why it is no table's, in words; empty if it is
 };
