@@ -66,5 +66,6 @@ void add_invariance(CLI::App& app, Options& options, std::function<void()>& job)
 void add_reproduce(CLI::App& app, Options& options, std::function<void()>& job);
 void add_run(CLI::App& app, Options& options, std::function<void()>& job);
 void add_compare(CLI::App& app, Options& options, std::function<void()>& job);
+void add_stability(CLI::App& app, Options& options, std::function<void()>& job);
 
 }  // namespace scalebreak::apps

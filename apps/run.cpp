@@ -67,6 +67,9 @@ void print_run(const Options& options, const Input& input, const RunOutcome& out
              outcome.replicas.size() > 1 ? fmt::format(" (the first of {} replicas)", outcome.replicas.size()) : "");
   fmt::print("step              {:.4g} s, limited by {}; the smallest bound is that of the {}, {:.4g} s\n", run.schedule.step, run.step.limit,
              run.step.bound, run.step.bound_step);
+  if (const ShortestContact& contact = run.step.contact; contact.time > 0)
+    fmt::print("shortest contact  {:.4g} s, {:.1f} steps: {} at {:.4g} m/s ({}), by {}\n", contact.time, contact.time / run.schedule.step,
+               contact.of, contact.meeting.speed, contact.meeting.of, contact_time_source(contact));
   fmt::print("time              {:.6g} s, of which {:.6g} s measured, {} steps, {:.3g} s of wall time, {:.3g} particle steps per second\n",
              run.time, outcome.measured.duration, run.steps, outcome.wall_seconds, outcome.particle_steps() / outcome.wall_seconds);
   for (const Quantity& quantity : outcome.measured.quantities) fmt::print("{:<24}{}\n", quantity.name, in_words(quantity));
@@ -102,6 +105,7 @@ void run(Options& options) {
   const RunOutcome outcome = run_flow(input, {.out = options.out,
                                               .threads = threads_of(options),
                                               .resume = options.resume,
+                                              .tables = options.store(),
                                               .stop = [] { return told_to_stop.load(); },
                                               .progress = bar(options),
                                               .say = [&](const std::string& sentence) { options.say(sentence); }});

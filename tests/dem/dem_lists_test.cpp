@@ -113,7 +113,7 @@ TEST(SavedState, GoesOnBitForBit) {
       const System start = each ? manifold() : test::filled(300, 0.45, {0.5e-3, 0.3e-3}, 0.2, 100);
       DemSetup setup = test::rough(1e7, 0.8, 0.1, 0.3e-3);
       setup.threads = threads;
-      setup.integrator = each ? Integrator::verlet_synchronized : Integrator::verlet;
+      setup.integrator = each ? Integrator::synchronized : Integrator::verlet;
       Dem straight(start, setup);
       straight.advance(137);
       Dem resumed(straight.save(), setup);

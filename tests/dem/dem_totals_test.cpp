@@ -65,30 +65,5 @@ TEST(MovingWall, WithoutSlipStopsSpins) {
   EXPECT_EQ(test::after_contact(*std::make_unique<Dem>(on_a_moving_wall(), setup)).spin[0].y(), 0);
 }
 
-/// |e − the restitution put in| of a damped Hertz pair, the mean over where in a step it touches.
-double restitution_error(Integrator integrator, double fraction) {
-  Input input;
-  input.contact = {NormalModel::hertz, AdhesionRange::touch, DampingOn::overlap};
-  for (Material* material : {&input.material, &input.second}) material->surface_energy = 0, material->restitution = 0.5;
-  DemSetup setup = test::setup_of(input, fraction);
-  setup.integrator = integrator;
-  double mean = 0;
-  for (int k = 0; k < 20; ++k) {
-    System start = test::system_of(input);
-    start.position[0] -= k / 20.0 * setup.step * start.velocity[0];
-    Dem dem(start, setup);
-    const System end = test::after_contact(dem);
-    mean += (end.velocity[0] - end.velocity[1]).z() / input.normal_speed / 20;
-  }
-  return std::abs(mean - 0.5);
-}
-
-TEST(SynchronizedVelocity, IsOfSecondOrderWhereTheLaggedOneIsOfFirst) {
-  const double lagged = restitution_error(Integrator::verlet, 0.1), fresh = restitution_error(Integrator::verlet_synchronized, 0.1);
-  EXPECT_NEAR(restitution_error(Integrator::verlet, 0.4) / lagged, 4, 1);
-  EXPECT_NEAR(restitution_error(Integrator::verlet_synchronized, 0.4) / fresh, 16, 4);
-  EXPECT_LT(fresh, lagged / 3);
-}
-
 }  // namespace
 }  // namespace scalebreak

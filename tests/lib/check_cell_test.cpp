@@ -112,7 +112,7 @@ TEST(CheckRun, StepsSeedsAndReplicasHaveBounds) {
   EXPECT_EQ(sentence_for(shear + "[run]\nreplicas = 0\n"),
             "scene.toml, line 4: run.replicas: found 0; allowed: a whole number of at least 1 and at most 1000");
   EXPECT_EQ(sentence_for(shear + "[run]\nintegrator = \"leapfrog\"\n"),
-            "scene.toml, line 4: run.integrator: found \"leapfrog\"; allowed: \"verlet\", \"verlet_synchronized\"");
+            "scene.toml, line 4: run.integrator: found \"leapfrog\"; allowed: \"verlet\", \"synchronized\"");
 }
 
 TEST(CheckOutput, KnowsItsFormatsAndFields) {

@@ -157,7 +157,7 @@ TEST(InputFile, WritesWhatReadsBackTheSame) {
       "[cell]\nkind = \"shear\"\nsize = [0.01, 0.02, 0.03]\n[particles]\ncount = 500\n[run]\nduration = 0.25\nwarmup_duration = 0\n",
       "[cell]\nkind = \"couette\"\nwall_no_slip = true\nwall_speed = 2\nsize = [0.1, 0.01, 0.1]\ngravity = [0, 0, -1.5]\n[particles]\n"
       "volume_fraction = 0.1\nsize = \"gaussian\"\nsize_spread = 0.05\n[scaling]\nlaw = \"sup\"\nfactor = 2\n[run]\nseed = 7\n"
-      "replicas = 3\nstep_fraction = 0.2\nintegrator = \"verlet_synchronized\"\n",
+      "replicas = 3\nstep_fraction = 0.2\nintegrator = \"synchronized\"\n",
       "[particles]\nsize = \"bidisperse\"\nlarge_radius = 1e-3\nlarge_mass_fraction = 0.25\n[second]\nyoung = 1e9\n[cell]\nkind = \"box\"\n"
       "boundary = [\"open\", \"periodic\", \"wall\"]\n[output]\nformats = []\nfields = [\"spin\"]\ninterval = 0.01\n",
       "[cell]\nkind = \"cooling\"\n[scaling]\nfactor = 3\nkeep = \"cell\"\n[contact]\nrolling = \"sds\"\n",

@@ -120,7 +120,7 @@ gravity = [0, 0, -9.81]
 duration = 0.5
 warmup_strain = 1
 step_fraction = 0.2
-integrator = "verlet_synchronized"
+integrator = "synchronized"
 [output]
 interval = 0.01
 fields = ["radius", "spin"]

@@ -65,6 +65,12 @@ TEST(Plot, ScriptHasLogarithmicAxesOnlyWhereAsked) {
   EXPECT_THAT(script_of(other), testing::AllOf(HasSubstr("set logscale y\n"), Not(HasSubstr("set logscale x\n"))));
 }
 
+TEST(Plot, ScriptDrawsErrorBars) {
+  Plot plot = example();
+  plot.curves[1].error = "4";
+  EXPECT_THAT(script_of(plot), HasSubstr("'data.csv' using 1:($1 > 0.2 ? ($3) : NaN):4 with yerrorbars pt "));
+}
+
 TEST(Plot, ScriptDrawsMarksAndOnlyTheRowsAskedFor) {
   EXPECT_THAT(script_of(example()), HasSubstr("'data.csv' using 1:($1 > 0.2 ? ($3) : NaN) with points"));
   Plot plot = example();

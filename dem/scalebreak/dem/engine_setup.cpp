@@ -24,7 +24,7 @@ Dem::Engine::Engine(const System& start, const DemSetup& setup)
   set_up(start);
   const std::vector<std::uint32_t> kind = sort_out_kinds(start);
   turns_ = rows_.mapped().laws.spins() || (!walls_.empty() && wall_rows_.mapped().laws.spins());
-  spheres_ = Spheres(start, turns_, setup.integrator == Integrator::verlet_synchronized);
+  spheres_ = Spheres(start, turns_, setup.integrator == Integrator::synchronized);
   spheres_.kind = kind;
   for (std::uint32_t i = 0; i < spheres_.count(); ++i) {
     const Quad &v = spheres_.velocity[i], &x = spheres_.position[i];

@@ -41,6 +41,10 @@ std::string curve_text(const Curve& curve) {
   const std::string look = curve.points ? fmt::format("with points pt {} ps {:.2f} lw 1.6 lc rgb '{}'", marks[style % std::size(marks)],
                                                       1.55 - 0.08 * static_cast<double>(style % 13), colour)
                                         : fmt::format("with lines lw {} lc rgb '{}'", style == 0 ? 2.5 : 1.8, colour);
+  if (!curve.error.empty()) {
+    const std::string bars = fmt::format("with yerrorbars{}", look.substr(look.find(" pt ")));
+    return fmt::format("'{}' using {}:{}:{} {} title {}", curve.file, curve.x, y, curve.error, bars, plain_text(curve.title));
+  }
   return fmt::format("'{}' using {}:{} {} title {}", curve.file, curve.x, y, look, plain_text(curve.title));
 }
 

@@ -67,6 +67,7 @@ const std::map<std::string, Bounds, std::less<>>& all_bounds() {
       {"scaling.factor", {1e-8, 1e3}},
       {"study.factors", {1e-8, 1e3}},
       {"study.speeds", {1e-9, 1e4}},
+      {"study.energy_growth", {1e-9, 1}},
       {"numerics.tolerance", {1e-13, 1e-6}},
       {"numerics.table_tolerance", {1e-7, 1e-2}},
   };

@@ -27,8 +27,8 @@ enum class Keep { count, cell };
 inline constexpr const char* keep_words[] = {"count", "cell"};
 
 /// How a soft-sphere step takes velocities: with velocity Verlet's lagged one, or one brought up to the time of the forces.
-enum class Integrator { verlet, verlet_synchronized };
-inline constexpr const char* integrator_words[] = {"verlet", "verlet_synchronized"};
+enum class Integrator { verlet, synchronized };
+inline constexpr const char* integrator_words[] = {"verlet", "synchronized"};
 
 /// The formats of particle files: CSV, VTK XML for ParaView, extended XYZ and LAMMPS dump for OVITO.
 enum class ParticleFormat { csv, vtp, xyz, dump };

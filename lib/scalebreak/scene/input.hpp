@@ -49,6 +49,8 @@ struct Input {
   std::vector<std::string> study_laws;  ///< empty: all that suit the contact
   std::vector<double> study_factors = {0.1, 0.01, 0.0001, 2, 4, 8};
   std::vector<double> study_speeds;  ///< empty: about the sticking speed
+  std::vector<Integrator> study_integrators = {Integrator::verlet};
+  double study_energy_growth = 1e-3;  ///< that a stable step may show per collision of each sphere, relative
   double tolerance = 1e-8;
   double table_tolerance = 1e-6;
 

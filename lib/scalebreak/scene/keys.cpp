@@ -127,6 +127,19 @@ std::vector<Key> make_keys() {
                          [](Input& input) -> std::vector<double>& { return input.study_factors; }));
   list.push_back(numbers("study", "speeds", "m/s", "impact speeds; empty: about the sticking speed", 0, 1000,
                          [](Input& input) -> std::vector<double>& { return input.study_speeds; }));
+  list.push_back(choices(
+      "study", "integrators", "integrators to compare (stability)", words_of(integrator_words), 1, std::size(integrator_words),
+      [](Input& input, const std::vector<std::size_t>& chosen) {
+        input.study_integrators.clear();
+        for (const std::size_t i : chosen) input.study_integrators.push_back(static_cast<Integrator>(i));
+      },
+      [](const Input& input) {
+        std::vector<std::size_t> chosen;
+        for (const Integrator integrator : input.study_integrators) chosen.push_back(static_cast<std::size_t>(integrator));
+        return chosen;
+      }));
+  list.push_back(number("study", "energy_growth", "-", "relative growth of energy per collision of each sphere up to which a step counts as stable",
+                        [](Input& input) -> double& { return input.study_energy_growth; }));
   list.push_back(number("numerics", "tolerance", "-", "of the restitution and the relative contact time of an exact collision",
                         [](Input& input) -> double& { return input.tolerance; }));
   list.push_back(number("numerics", "table_tolerance", "-", "of a collision table, in e^2 and in relative contact time",

@@ -32,7 +32,8 @@ DemSetup dem_setup(const Input& input, double step, int threads) {
           .threads = threads};
 }
 
-DemEngine::DemEngine(std::string_view saved, const DemSetup& setup) : dem_(without_kernel(saved), setup), step_(setup.step) {
+DemEngine::DemEngine(std::string_view saved, const DemSetup& setup, bool dissipates)
+    : dem_(without_kernel(saved), setup), step_(setup.step), dissipates_(dissipates) {
   const std::string kernel = take_text(saved);
   if (kernel != dem_.kernel_name())
     throw WorkError(fmt::format("the run was left with the instruction set {}, and here it would go on with {}, so not bit for bit", kernel,
@@ -46,7 +47,7 @@ EngineTotals DemEngine::totals() const {
   return {.contact_starts = totals.contact_starts,
           .wall_work = totals.wall_work,
           .shear_work = {},  // Dem does not add it up: it is taken from the stress at samples
-          .dissipated = {},
+          .dissipated = dissipates_ ? std::nullopt : std::optional(0.0),
           .contact_time = totals.contact_time,
           .contact_moment = totals.contact_moment,
           .steps = dem_.steps(),

@@ -14,9 +14,10 @@ namespace scalebreak {
 /// The soft-sphere engine in a run.
 class DemEngine final : public FlowEngine {
  public:
-  DemEngine(const System& start, const DemSetup& setup) : dem_(start, setup), step_(setup.step) {}
+  /// `dissipates`: do the laws take energy, of which the engine does not say how much?
+  DemEngine(const System& start, const DemSetup& setup, bool dissipates) : dem_(start, setup), step_(setup.step), dissipates_(dissipates) {}
   /// Goes on with the same setup. Throws WorkError where this processor has another instruction set than the one that was left.
-  DemEngine(std::string_view saved, const DemSetup& setup);
+  DemEngine(std::string_view saved, const DemSetup& setup, bool dissipates);
 
   void advance_to(double time) override;
   void keep_sums(bool keep) override { dem_.keep_sums(keep); }
@@ -30,6 +31,7 @@ class DemEngine final : public FlowEngine {
  private:
   Dem dem_;
   double step_;
+  bool dissipates_;
 };
 
 }  // namespace scalebreak

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <scalebreak/base/version.hpp>
+#include <scalebreak/ensembles/engine/energy_account.hpp>
 #include <scalebreak/measure/flow_json.hpp>
 
 namespace scalebreak {
@@ -15,17 +16,26 @@ using nlohmann::json;
 json or_null(double value) { return value > 0 ? json(value) : json(); }
 
 json step_json(const RunRecord& run) {
+  const ShortestContact& contact = run.step.contact;
   return {{"step", run.schedule.step},
           {"step_limit", run.step.limit},
           {"step_bound", run.step.bound},
           {"step_bound_seconds", run.step.bound_step},
-          {"collision_speed", or_null(run.step.speed)},
-          {"contact_time", or_null(run.step.contact_time)},
-          {"steps_per_contact", or_null(run.step.contact_time / run.schedule.step)},
+          {"collision_speed", or_null(contact.meeting.speed)},
+          {"collision_speed_of", contact.meeting.of},
+          {"contact_time", or_null(contact.time)},
+          {"contact_time_of", contact.of},
+          {"contact_time_from", contact_time_source(contact)},
+          {"steps_per_contact", or_null(contact.time / run.schedule.step)},
           {"sample_interval", run.schedule.sample_interval()}};
 }
 
 }  // namespace
+
+std::string contact_time_source(const ShortestContact& contact) {
+  if (contact.time == 0) return "none";
+  return contact.tabulated ? "table" : fmt::format("exact collision, as {}", contact.resolved);
+}
 
 std::string modelled(const Input& input) {
   const ContactKind kind = effective_kind(input.contact, input.colliding().pair().surface_energy);
@@ -67,6 +77,8 @@ json run_json(const Input& input, const RunOutcome& outcome) {
   if (outcome.replicas.size() == 1) j["particles"] = first.particles;
   j.update(step_json(first));
   j.update(flow_json(outcome.measured));
+  const std::optional<std::string> open = why_account_is_open(input);
+  j["energy_drift_missing"] = open ? json(*open) : json();
   return j;
 }
 

@@ -88,6 +88,9 @@ std::vector<std::string> write_run_report(const Input& input, const RunOutcome& 
 
   HtmlReport report("A flow: " + title, what_ran(outcome));
   report.paragraph("Modelled: " + modelled(input) + ".");
+  if (const ShortestContact& contact = outcome.replicas.front().step.contact; contact.time > 0)
+    report.paragraph(fmt::format("The shortest contact is that of {} at {:.4g} m/s ({}): {:.4g} s, by {}.", contact.of,
+                                 contact.meeting.speed, contact.meeting.of, contact.time, contact_time_source(contact)));
   for (const RunRecord& run : outcome.replicas) {
     for (const std::string& warning : run.warnings) report.paragraph("Warning: " + warning + ".");
   }

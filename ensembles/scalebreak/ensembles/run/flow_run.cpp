@@ -2,6 +2,7 @@
 
 #include <scalebreak/base/bytes.hpp>
 #include <scalebreak/ensembles/engine/dem_engine.hpp>
+#include <scalebreak/ensembles/engine/energy_account.hpp>
 #include <scalebreak/ensembles/engine/flow_start.hpp>
 #include <scalebreak/start/filling.hpp>
 
@@ -29,19 +30,19 @@ Sample FlowInstant::sample() const {
           .contact_moment = totals.contact_moment};
 }
 
-FlowRun::FlowRun(const Input& input, std::uint64_t replica, int threads) : gravity_(input.cell.gravity) {
+FlowRun::FlowRun(const Input& input, std::uint64_t replica, int threads, const TableStore* tables) : gravity_(input.cell.gravity) {
   const FlowStart start = flow_start(input, replica);
   const System& system = start.system;
   record_.replica = replica;
   record_.particles = system.count();
   record_.cell = system.cell.size;
   record_.volume_fraction = volume_fraction(system.cell, system.radius);
-  record_.step = choose_step(input, step_scene(input, system, start.speed));
+  record_.step = choose_step(input, step_scene(input, system, start.speed), tables);
   record_.schedule = run_schedule(run_times(input, system.cell), record_.step.step);
   record_.gravity_energy = gravity_energy(system, gravity_);
   record_.warnings = start.warnings;
   if (!record_.step.warning.empty()) record_.warnings.push_back(record_.step.warning);
-  engine_ = std::make_unique<DemEngine>(system, dem_setup(input, record_.schedule.step, threads));
+  engine_ = std::make_unique<DemEngine>(system, dem_setup(input, record_.schedule.step, threads), why_account_is_open(input).has_value());
   engine_->keep_sums(measures());
   look();
 }
@@ -50,7 +51,8 @@ FlowRun::FlowRun(const Input& input, std::string_view saved, int threads) : grav
   record_.load(saved);
   take_bytes(saved, sample_);
   measurement_.load(take_text(saved));
-  engine_ = std::make_unique<DemEngine>(std::string_view(take_text(saved)), dem_setup(input, record_.schedule.step, threads));
+  engine_ = std::make_unique<DemEngine>(std::string_view(take_text(saved)), dem_setup(input, record_.schedule.step, threads),
+                                        why_account_is_open(input).has_value());
   engine_->keep_sums(measures());
 }
 

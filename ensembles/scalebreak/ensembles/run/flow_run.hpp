@@ -28,8 +28,8 @@ class FlowRun {
  public:
   static constexpr int slabs = 20;
 
-  /// Starts. `threads` at least 1. Throws InputError, and WorkError where the cell cannot be filled.
-  FlowRun(const Input& input, std::uint64_t replica, int threads);
+  /// Starts. `threads` at least 1; `tables` as choose_step has them. Throws InputError, and WorkError where the cell cannot be filled.
+  FlowRun(const Input& input, std::uint64_t replica, int threads, const TableStore* tables);
   /// Goes on where `saved` was left: bit for bit with the same input and threads.
   FlowRun(const Input& input, std::string_view saved, int threads);
 

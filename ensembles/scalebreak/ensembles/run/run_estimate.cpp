@@ -37,7 +37,7 @@ RunEstimate estimate_run(const Input& input, int threads) {
     estimate.particles = static_cast<double>(start.system.count()), cell = start.system.cell;
     scene = step_scene(input, start.system, start.speed);
   }
-  const RunSchedule schedule = run_schedule(run_times(input, cell), choose_step(input, scene).step);
+  const RunSchedule schedule = run_schedule(run_times(input, cell), choose_step(input, scene, nullptr).step);
   const auto replicas = static_cast<double>(input.run.replicas);
   estimate.steps = static_cast<double>(schedule.steps());
   estimate.seconds = replicas * estimate.particles * estimate.steps / (particle_steps_per_second * threads);

@@ -86,7 +86,7 @@ class Runner {
       files_.emplace(folder(), input_.output, left->files);
       return;
     }
-    run_.emplace(input_, finished_.size(), options_.threads);
+    run_.emplace(input_, finished_.size(), options_.threads, options_.tables ? &*options_.tables : nullptr);
     files_.reset();
     if (keeps_files()) files_.emplace(folder(), input_.output).add(run_->instant());
     if (!options_.say) return;

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,7 @@ struct RunOptions {
   std::filesystem::path out;  ///< empty: no files, no checkpoints
   int threads = 1;
   bool resume = false;  ///< goes on from the checkpoint in `out`
+  std::optional<TableStore> tables = {};  ///< for the contact time that bounds the step; none: collisions are resolved exactly for it
   /// Asked after every sample; true: the run ends with a checkpoint and RunInterrupted.
   std::function<bool()> stop = {};
   std::function<void(const RunProgress&)> progress = {};

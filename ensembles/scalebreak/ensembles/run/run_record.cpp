@@ -12,7 +12,8 @@ void go_through(Record& r, Number&& number, Text&& text) {
   for (auto& edge : r.cell) number(edge);
   number(r.volume_fraction);
   number(r.step.step), number(r.step.asked), text(r.step.limit), text(r.step.bound), number(r.step.bound_step);
-  number(r.step.speed), number(r.step.contact_time), text(r.step.warning);
+  number(r.step.contact.meeting.speed), text(r.step.contact.meeting.of), number(r.step.contact.time), text(r.step.contact.of);
+  number(r.step.contact.tabulated), text(r.step.contact.resolved), text(r.step.warning);
   number(r.schedule.step), number(r.schedule.steps_per_sample), number(r.schedule.samples_per_row);
   number(r.schedule.warmup_samples), number(r.schedule.samples);
   number(r.gravity_energy), number(r.time), number(r.steps);

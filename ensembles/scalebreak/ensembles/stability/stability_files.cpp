@@ -1,0 +1,193 @@
+#include <scalebreak/ensembles/stability/stability_files.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include <scalebreak/base/version.hpp>
+#include <scalebreak/output/atomic_file.hpp>
+#include <scalebreak/output/csv.hpp>
+#include <scalebreak/output/html.hpp>
+#include <scalebreak/output/plot.hpp>
+
+namespace scalebreak {
+namespace {
+
+using nlohmann::json;
+
+json or_null(double value) { return std::isfinite(value) ? json(value) : json(); }
+CsvCell or_empty(double value) { return std::isfinite(value) ? CsvCell(value) : CsvCell(); }
+
+/// The step over the original's.
+Measured ratio(const StabilityStudy& study, const StabilityRecord& record) {
+  const Measured step = record.step(), original = study.original_of(record).step();
+  const double value = step.value / original.value;
+  return {value, value * std::hypot(step.error / step.value, original.error / original.value)};
+}
+
+double steps_per_contact(const StabilityRecord& record) { return record.contact.time / record.step().value; }
+
+std::string method_of(const StabilityRecord& record) { return fmt::format("{}, {}", record.law, record.integrator); }
+
+/// The numbers of a record, in the order of stability.csv.
+struct Column {
+  const char *name, *unit;
+  double (*of)(const StabilityStudy&, const StabilityRecord&);
+};
+constexpr Column columns[] = {
+    {"step", "s", [](const StabilityStudy&, const StabilityRecord& r) { return r.step().value; }},
+    {"step_error", "s", [](const StabilityStudy&, const StabilityRecord& r) { return r.step().error; }},
+    {"fraction_of_rayleigh", "-", [](const StabilityStudy&, const StabilityRecord& r) { return r.fraction().value; }},
+    {"fraction_of_rayleigh_error", "-", [](const StabilityStudy&, const StabilityRecord& r) { return r.fraction().error; }},
+    {"rayleigh_step", "s", [](const StabilityStudy&, const StabilityRecord& r) { return r.rayleigh; }},
+    {"oscillation_step", "s",
+     [](const StabilityStudy&, const StabilityRecord& r) { return r.oscillation > 0 ? r.oscillation : std::nan(""); }},
+    {"contact_time", "s", [](const StabilityStudy&, const StabilityRecord& r) { return r.contact.time; }},
+    {"steps_per_contact", "-", [](const StabilityStudy&, const StabilityRecord& r) { return steps_per_contact(r); }},
+    {"step_ratio", "-", [](const StabilityStudy& study, const StabilityRecord& r) { return ratio(study, r).value; }},
+    {"step_ratio_error", "-", [](const StabilityStudy& study, const StabilityRecord& r) { return ratio(study, r).error; }},
+    {"value_below", "-", [](const StabilityStudy&, const StabilityRecord& r) { return r.value_below(); }},
+    {"value_above", "-", [](const StabilityStudy&, const StabilityRecord& r) { return r.value_above(); }},
+    {"seeds", "-", [](const StabilityStudy&, const StabilityRecord& r) { return static_cast<double>(r.seeds.size()); }},
+    {"seeds_without_bracket", "-",
+     [](const StabilityStudy&, const StabilityRecord& r) { return static_cast<double>(r.without_bracket()); }},
+};
+
+/// Columns of stability.csv and of trials.csv, from 1, that the plots read.
+constexpr const char *factor_column = "2", *step_column = "5", *step_error_column = "6";
+constexpr const char *trial_fraction_column = "6", *trial_growth_column = "8";
+
+Plot step_plot(const StabilityStudy& study) {
+  Plot plot{"largest_step", "Largest stable step over the factor", "factor [-]", "largest stable step [s]", true, true, {}};
+  std::vector<std::string> seen;
+  for (const StabilityRecord& record : study.records) {
+    if (std::find(seen.begin(), seen.end(), method_of(record)) != seen.end()) continue;
+    seen.push_back(method_of(record));
+    plot.curves.push_back({.file = "stability.csv",
+                           .x = factor_column,
+                           .y = step_column,
+                           .title = method_of(record),
+                           .points = true,
+                           .style = static_cast<int>(plot.curves.size()),
+                           .only = fmt::format("strcol(1) eq '{}' && strcol(3) eq '{}'", record.law, record.integrator),
+                           .error = step_error_column});
+  }
+  return plot;
+}
+
+Plot growth_plot(const StabilityStudy& study) {
+  Plot plot{"energy_growth",
+            "Growth of energy over the step",
+            "step / Rayleigh time [-]",
+            "growth per collision of each sphere [-]",
+            true,
+            true,
+            {}};
+  for (const StabilityRecord& record : study.records) {
+    plot.curves.push_back({.file = "trials.csv",
+                           .x = trial_fraction_column,
+                           .y = trial_growth_column,
+                           .title = fmt::format("{} at {:g}", method_of(record), record.factor),
+                           .points = true,
+                           .style = static_cast<int>(plot.curves.size()),
+                           .only = fmt::format("strcol(1) eq '{}' && ${} == {:.17g} && strcol(3) eq '{}'", record.law, factor_column,
+                                               record.factor, record.integrator)});
+  }
+  return plot;
+}
+
+std::string introduction(const Input& input, const StabilityStudy& study) {
+  return fmt::format(
+      "{} spheres that move at {:g} m/s (root mean square) at the start, made elastic: no dissipation, adhesion, friction, shear or gravity. "
+      "A step counts as stable while the energy grows by at most {:g} per collision of each sphere, over {:g} collisions of each. It is "
+      "bisected to 2 %, for {} seeds each.",
+      study.spheres, study.speed, input.study_energy_growth, collisions_of_a_trial, input.run.replicas);
+}
+
+}  // namespace
+
+std::string stability_csv(const StabilityStudy& study) {
+  std::vector<std::string> header = {"law", "factor [-]", "integrator", "criterion"};
+  for (const Column& column : columns) header.push_back(fmt::format("{} [{}]", column.name, column.unit));
+  header.emplace_back("failure");
+  Csv csv(header);
+  for (const StabilityRecord& r : study.records) {
+    std::vector<CsvCell> row = {r.law, r.factor, r.integrator, r.criterion};
+    for (const Column& column : columns) row.push_back(or_empty(column.of(study, r)));
+    row.emplace_back(r.failure());
+    csv.add(row);
+  }
+  return csv.text();
+}
+
+std::string trials_csv(const StabilityStudy& study) {
+  Csv csv({"law", "factor [-]", "integrator", "criterion", "seed", "fraction_of_rayleigh [-]", "step [s]", "energy_growth [-]",
+           "collisions [-]", "stopped"});
+  for (const StabilityRecord& r : study.records) {
+    for (std::size_t seed = 0; seed < r.seeds.size(); ++seed) {
+      for (const StepTrial& trial : r.seeds[seed].tried) {
+        csv.add({r.law, r.factor, r.integrator, r.criterion, static_cast<double>(seed), trial.fraction, trial.step,
+                 trial.stopped.empty() ? CsvCell(trial.energy_growth) : CsvCell(), trial.collisions, trial.stopped});
+      }
+    }
+  }
+  return csv.text();
+}
+
+json stability_json(const Input& input, const StabilityStudy& study) {
+  json criteria = json::array(), records = json::array();
+  for (const StabilityCriterion& criterion : stability_criteria())
+    criteria.push_back(
+        {{"name", criterion.name}, {"unit", criterion.unit}, {"meaning", criterion.meaning}, {"limit", input.*criterion.limit}});
+  for (const StabilityRecord& r : study.records) {
+    json trials = json::array();
+    for (std::size_t seed = 0; seed < r.seeds.size(); ++seed) {
+      for (const StepTrial& trial : r.seeds[seed].tried)
+        trials.push_back({{"seed", seed},
+                          {"fraction_of_rayleigh", trial.fraction},
+                          {"energy_growth", trial.stopped.empty() ? json(trial.energy_growth) : json()},
+                          {"stopped", trial.stopped}});
+    }
+    json record = {{"law", r.law}, {"factor", r.factor}, {"integrator", r.integrator}, {"criterion", r.criterion}};
+    for (const Column& column : columns) record[column.name] = or_null(column.of(study, r));
+    record["failure"] = r.failure(), record["trials"] = trials;
+    records.push_back(std::move(record));
+  }
+  return {{"version", version()},   {"particles", study.spheres}, {"speed", study.speed}, {"collisions", collisions_of_a_trial},
+          {"seed", input.run.seed}, {"skipped", study.skipped},   {"criteria", criteria}, {"records", records}};
+}
+
+std::string in_words(const StabilityStudy& study, const StabilityRecord& r) {
+  const Measured step = r.step(), fraction = r.fraction(), over_original = ratio(study, r);
+  std::string text = fmt::format("{:<16} at {:<8g} {:<13}", r.law, r.factor, r.integrator);
+  if (!std::isfinite(step.value))
+    return text + fmt::format("no bracket: {}", r.seeds.front().stable ? "stable at every step tried" : "unstable at every step tried");
+  text += fmt::format("{:.4g} ± {:.1g} s, {:.3f} of Rayleigh's {:.4g} s", step.value, step.error, fraction.value, r.rayleigh);
+  if (r.oscillation > 0) text += fmt::format(", {:.3f} of the oscillation's {:.4g} s", step.value / r.oscillation, r.oscillation);
+  return text + fmt::format(", {:.1f} steps per contact; {:.3f} ± {:.3f} of the original's; growth {:.2g} below, {:.2g} above; {}",
+                            steps_per_contact(r), over_original.value, over_original.error, r.value_below(), r.value_above(), r.failure());
+}
+
+std::vector<std::string> write_stability_report(const Input& input, const StabilityStudy& study, const std::filesystem::path& out) {
+  write_file(out / "stability.csv", stability_csv(study));
+  write_file(out / "trials.csv", trials_csv(study));
+  const std::vector<Plot> plots = {step_plot(study), growth_plot(study)};
+  std::vector<std::string> missing;
+  for (const Plot& plot : plots) {
+    if (!draw(plot, out)) missing.push_back(plot.name);
+  }
+  HtmlReport report("The largest stable step", introduction(input, study));
+  report.figure(out / "largest_step.svg",
+                "Bars: half the bracket of the bisection, or the standard error over seeds, whichever is larger.");
+  report.figure(out / "energy_growth.svg", "Every trial that went on to its end and whose energy grew.");
+  std::vector<std::vector<std::string>> rows;
+  for (const StabilityRecord& r : study.records)
+    rows.push_back({r.law, fmt::format("{:g}", r.factor), r.integrator, fmt::format("{:.4g} ± {:.1g}", r.step().value, r.step().error),
+                    fmt::format("{:.3f}", r.fraction().value), fmt::format("{:.3f}", ratio(study, r).value), r.failure()});
+  report.table({"law", "factor", "integrator", "largest stable step [s]", "over Rayleigh's", "over the original's", "beyond it"}, rows);
+  write_file(out / "index.html", report.text());
+  return missing;
+}
+
+}  // namespace scalebreak

@@ -1,0 +1,57 @@
+#include <gmock/gmock.h>
+
+#include <apps/program.hpp>
+
+namespace scalebreak::tests {
+namespace {
+
+using nlohmann::json;
+
+struct StabilityCommand : ProgramTest {
+  std::string file = scene("box.toml",
+                           "[material]\nyoung = 1e7\n[contact]\nnormal = \"hertz\"\n[particles]\ncount = 60\nvolume_fraction = 0.3\n"
+                           "speed = 0.02\n[cell]\nkind = \"cooling\"\n[study]\nlaws = [\"sup\"]\nfactors = [2]\n");
+};
+
+TEST_F(StabilityCommand, GivesEveryKeyAndEveryFile) {
+  const ProgramRun result = run({"stability", file, "--out", out, "--json", "--quiet"});
+  ASSERT_EQ(result.status, 0) << result.err;
+  EXPECT_EQ(result.err, "");
+  const json j = result.json();
+  EXPECT_EQ(j["particles"], 60);
+  EXPECT_EQ(j["criteria"][0]["name"], "energy_growth");
+  EXPECT_EQ(j["criteria"][0]["limit"], 1e-3);
+  ASSERT_EQ(j["records"].size(), 2u);
+  const std::set<std::string> expected = {"law",        "factor",        "integrator",       "criterion",    "step",
+                                          "step_error", "rayleigh_step", "oscillation_step", "contact_time", "steps_per_contact",
+                                          "step_ratio", "value_below",   "value_above",      "failure",      "trials"};
+  for (const json& record : j["records"]) EXPECT_THAT(keys_of(record), testing::IsSupersetOf(expected));
+  const json &original = j["records"][0], &scaled = j["records"][1];
+  EXPECT_EQ(original["step_ratio"], 1);
+  EXPECT_NEAR(scaled["step_ratio"].get<double>(), 2, 0.2);
+  EXPECT_TRUE(original["oscillation_step"].is_null());  // of linear contacts alone
+  EXPECT_EQ(j, json_file(std::filesystem::path(out) / "result.json"));
+  for (const char* name : {"input.toml", "stability.csv", "trials.csv", "largest_step.gp", "energy_growth.gp", "index.html"})
+    EXPECT_TRUE(std::filesystem::exists(std::filesystem::path(out) / name)) << name;
+  if (gnuplot_is_there()) {
+    EXPECT_TRUE(std::filesystem::exists(out + "/largest_step.svg"));
+    EXPECT_TRUE(std::filesystem::exists(out + "/energy_growth.svg"));
+  }
+  EXPECT_EQ(run({"stability", out + "/input.toml", "--json", "--quiet"}).json(), j);
+}
+
+TEST_F(StabilityCommand, PutsLinearContactsBesideTheirOscillation) {
+  const json j = run({"stability", file, "--set", "contact.normal=linear", "--json", "--quiet"}).json();
+  EXPECT_GT(j["records"][0]["oscillation_step"].get<double>(), 0);
+}
+
+TEST_F(StabilityCommand, ChecksWithoutWorkingAndRefusesPairs) {
+  const ProgramRun checked = run({"stability", file, "--check"});
+  EXPECT_EQ(checked.status, 0);
+  EXPECT_THAT(checked.out, testing::HasSubstr("2 bisections"));
+  const std::string pair = scene("pair.toml", "[impact]\nnormal_speed = 0.3\n");
+  EXPECT_EQ(run({"stability", pair}).status, 2);
+}
+
+}  // namespace
+}  // namespace scalebreak::tests
