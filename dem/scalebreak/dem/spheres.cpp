@@ -4,6 +4,13 @@
 
 namespace scalebreak::dem {
 
+namespace {
+
+/// What a core's caches can be expected to hold [bytes].
+constexpr std::size_t cached = 4u << 20;
+
+}  // namespace
+
 Spheres::Spheres(const System& system, bool turns, bool estimates) {
   const std::size_t n = system.count();
   id.resize(n);
@@ -27,6 +34,7 @@ SpheresView Spheres::view() {
   view.spin = spin.empty() ? nullptr : spin.data();
   view.seen_velocity = seen_velocity.empty() ? velocity.data() : seen_velocity.data();
   view.seen_spin = seen_velocity.empty() ? view.spin : seen_spin.data();
+  view.far = bytes() > cached;
   return view;
 }
 

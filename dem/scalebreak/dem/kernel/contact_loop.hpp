@@ -18,6 +18,7 @@ struct ContactLoop {
     const double solids_before = task.tally.touches;
     ContactLanes block[block_size];
     for (std::uint32_t k = 0; k < task.contacts.count;) {
+      if (task.spheres.far) fetch_ahead(k + block_size * width);
       std::uint32_t filled = 0;
       for (; filled < block_size && k < task.contacts.count; k += width) {
         ContactLanes& at = block[filled];
@@ -44,6 +45,20 @@ struct ContactLoop {
     for (int a = 0; a < 3; ++a) {
       const Pack* const parts[3] = {&moment[a].x, &moment[a].y, &moment[a].z};
       for (int b = 0; b < 3; ++b) task.tally.moment[3 * a + b] += reduce(*parts[b]);
+    }
+  }
+
+  /// Asks for all that the next block needs of the spheres.
+  [[gnu::noinline]] void fetch_ahead(std::uint32_t begin) const {
+    const SpheresView& s = task.spheres;
+    const std::uint32_t end = begin + block_size * width < task.contacts.count ? begin + block_size * width : task.contacts.count;
+    const auto fetch = [&](std::uint32_t i) {
+      will_read(s.position[i]), will_read(s.seen_velocity[i]), will_add_to(s.force[i]);
+      if (turning) will_read(s.seen_spin[i]), will_add_to(s.torque[i]);
+    };
+    for (std::uint32_t k = begin; k < end; ++k) {
+      fetch(task.contacts.first[k]);
+      if (!wall) fetch(sphere_of(task.contacts.second[k]));
     }
   }
 

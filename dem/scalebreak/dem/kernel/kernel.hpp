@@ -65,6 +65,7 @@ struct SpheresView {
   Quad* torque = nullptr;
   const Quad* seen_velocity = nullptr;  ///< that dashpots see: velocity, or what it will be when the step is done
   const Quad* seen_spin = nullptr;
+  bool far = false;  ///< more than the caches hold: worth asking for ahead of time
 };
 
 /// What a force on a sphere of another thread is kept as until all have come to it.

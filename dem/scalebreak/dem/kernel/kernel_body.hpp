@@ -14,6 +14,11 @@ void push_spheres(const MoveTask& task) {
   const double dt = task.step;
   const Four step = {dt, dt, dt, 0};
   for (std::uint32_t k = 0; k < task.pushed_count; ++k) {
+    if (s.far && k + ahead < task.pushed_count) {
+      const std::uint32_t next = task.pushed[k + ahead];
+      will_add_to(s.velocity[next]), will_add_to(s.force[next]);
+      if (turns) will_add_to(s.spin[next]), will_add_to(s.torque[next]);
+    }
     const std::uint32_t i = task.pushed[k];
     const Four velocity = load(s.velocity[i]), gain = load(s.force[i]) * all(velocity[3]);
     store(s.velocity[i], velocity + gain * step);
@@ -47,7 +52,10 @@ void move_spheres(MoveTask& task) {
     poison += peculiar - peculiar;
   };
   if (task.movers) {
-    for (std::uint32_t k = task.begin; k < task.end; ++k) one(task.movers[k]);
+    for (std::uint32_t k = task.begin; k < task.end; ++k) {
+      if (s.far && k + ahead < task.end) will_add_to(s.position[task.movers[k + ahead]]), will_read(s.velocity[task.movers[k + ahead]]);
+      one(task.movers[k]);
+    }
   } else {
     for (std::uint32_t i = task.begin; i < task.end; ++i) one(i);
   }

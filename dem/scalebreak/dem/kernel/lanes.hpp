@@ -24,6 +24,10 @@ template <class Work>
   (std::make_index_sequence<width>{});
 }
 
+/// Asks for what will be read, or read and written, soon.
+[[gnu::always_inline]] inline void will_read(const Quad& quad) { __builtin_prefetch(&quad, 0); }
+[[gnu::always_inline]] inline void will_add_to(const Quad& quad) { __builtin_prefetch(&quad, 1); }
+
 /// Four quads turned into their x, y, z and w, or back.
 [[gnu::always_inline]] inline void transpose(const Four* from, Four* to) {
   using Order [[gnu::vector_size(32)]] = long;

@@ -1,5 +1,8 @@
 // Included once per instruction set, inside that set's namespace (see kernel_*.cpp): which of the near pairs touch.
 
+/// So many pairs ahead spheres are asked for.
+inline constexpr std::uint32_t ahead = 32;
+
 inline void meet_spheres(ForceTask& task) {
   const NearView near = task.near;
   const Quad *const position = task.spheres.position, *const shift = task.shift;
@@ -14,6 +17,9 @@ inline void meet_spheres(ForceTask& task) {
         first[lane] = real ? ones[lane] : 0, second[lane] = real ? others[lane] : nowhere;
       });
       ones = first, others = second;
+    }
+    if (task.spheres.far && k + ahead + width <= near.count) {
+      each_lane([&](auto lane) { will_read(position[sphere_of(near.second[k + ahead + lane])]), will_read(position[near.first[k + ahead + lane]]); });
     }
     Four between[width], radii[width];
     each_lane([&](auto lane) __attribute__((always_inline)) {
