@@ -83,7 +83,18 @@ class Dem::Engine {
   // engine_step.cpp
   void move(Worker& worker);
   void plan_lists();
-  void add_forces(Worker& worker, double history_step);
+  /// By how much histories go on before the forces and after them [s]. Beside velocities of the forces' instant they are kept half a step
+  /// ahead of it, so that each step integrates them to second order.
+  struct HistorySteps {
+    double before, after;
+  };
+  [[nodiscard]] bool histories_are_ahead() const { return setup_.integrator == Integrator::verlet_synchronized; }
+  [[nodiscard]] HistorySteps history_steps() const;
+  /// The forces of the last step once more: histories come out as they went in.
+  [[nodiscard]] HistorySteps history_steps_again() const;
+  /// The same engine with histories of this instant, to be looked at and not to go on with.
+  [[nodiscard]] Engine with_histories_of_now() const;
+  void add_forces(Worker& worker, HistorySteps histories);
   void fetch_deferred(const Worker& worker);
   void take_tallies();
   void kick(std::uint32_t sphere, double share);
@@ -92,7 +103,7 @@ class Dem::Engine {
   void guarded(Worker& worker, Work work);
   void rethrow();
 
-  [[nodiscard]] dem::ForceTask force_task(Worker& worker, dem::Pairs& pairs, const dem::WallView* wall, double history_step);
+  [[nodiscard]] dem::ForceTask force_task(Worker& worker, dem::Pairs& pairs, const dem::WallView* wall, HistorySteps histories);
   [[nodiscard]] dem::LawRows& rows_for(Worker& worker, bool wall);
   [[nodiscard]] dem::LawRows::Kind kind_at(std::uint32_t sphere) const { return dem::kind_of(spheres_, material_, sphere); }
   [[nodiscard]] bool has_slides() const { return rows_.mapped().laws.tangential.acts(); }
@@ -101,7 +112,8 @@ class Dem::Engine {
   [[nodiscard]] double travel_of(double fastest_squared) const;
   [[nodiscard]] Cell cell_now() const { return advanced(cell_, setup_.step * static_cast<double>(steps_)); }
   // engine_state.cpp
-  [[nodiscard]] std::vector<ContactMemory> contact_memories() const;
+  [[nodiscard]] std::vector<ContactMemory> contact_memories() const;  ///< histories as they are kept
+  [[nodiscard]] double energy_of_springs() const;                      ///< with histories as they are kept [J]
   template <class Archive>
   void archive_head(Archive& archive);
   template <class Archive>

@@ -54,7 +54,7 @@ void Dem::Engine::advance(long steps) {
 #pragma omp barrier
         collect_movers(worker);
       }
-      guarded(worker, [&] { add_forces(worker, setup_.step); });
+      guarded(worker, [&] { add_forces(worker, history_steps()); });
 #pragma omp barrier
       fetch_deferred(worker);
 #pragma omp single
@@ -120,7 +120,17 @@ void Dem::Engine::unstable(double speed) const {
                   time(), steps_, speed, speed * setup_.step / smallest_, setup_.step, farthest_in_a_step));
 }
 
-ForceTask Dem::Engine::force_task(Worker& worker, Pairs& pairs, const WallView* wall, double history_step) {
+Dem::Engine::HistorySteps Dem::Engine::history_steps() const {
+  const double after = histories_are_ahead() ? setup_.step / 2 : 0.0;
+  return {setup_.step - after, after};
+}
+
+Dem::Engine::HistorySteps Dem::Engine::history_steps_again() const {
+  const double after = history_steps().after;
+  return {-after, after};
+}
+
+ForceTask Dem::Engine::force_task(Worker& worker, Pairs& pairs, const WallView* wall, HistorySteps histories) {
   const LawRows& rows = rows_for(worker, wall != nullptr);
   const MappedLaws& mapped = rows.mapped();
   return {.spheres = spheres_.view(),
@@ -138,7 +148,8 @@ ForceTask Dem::Engine::force_task(Worker& worker, Pairs& pairs, const WallView* 
           .torque = mapped.torque,
           .radius_share = rows.radius_share(),
           .time = time(),
-          .history_step = history_step,
+          .history_step = histories.before,
+          .history_after = histories.after,
           .turns = turns_,
           .sums_moment = keep_sums_,
           .own_begin = worker.begin,
@@ -173,10 +184,10 @@ void close_row(void* context, std::uint32_t pair) {
 
 }  // namespace
 
-void Dem::Engine::add_forces(Worker& worker, double history_step) {
+void Dem::Engine::add_forces(Worker& worker, HistorySteps histories) {
   worker.deferred_count = 0;
   const auto run = [&](Pairs& pairs, const WallView* wall) {
-    ForceTask task = force_task(worker, pairs, wall, history_step);
+    ForceTask task = force_task(worker, pairs, wall, histories);
     LawRows& rows = rows_for(worker, wall != nullptr);
     RowKeeper keeper{&task, &rows, &spheres_, &material_};
     if (rows.each()) task.begin = open_row, task.end = close_row, task.context = &keeper;

@@ -22,7 +22,7 @@ template <class LawForm, Turns turns>
   const auto friction_part = [](const ContactLaws& laws) -> const Tangential& { return laws.tangential; };
   const bool rubs = turns != Turns::none && task.rows[0].tangential.acts();
   const bool rooted = hertz || task.rows[0].needs_overlap_root(), bridges = task.bridge != nullptr;
-  const Pack time(task.history_step * task.length), force_by(task.force), swirl_by(task.spin * task.radius_share);
+  const Pack time(task.history_step * task.length), after(task.history_after * task.length), force_by(task.force), swirl_by(task.spin * task.radius_share);
   if (rubs) gather_history(task.pairs.slide, block);
   for (std::uint32_t k = 0; k < block.count; k += width) {
     const Pack distance = sqrt(packs(block.square + k)), inverse = 1.0 / distance;
@@ -56,7 +56,7 @@ template <class LawForm, Turns turns>
       }
       Vectors history = in_plane(vectors(block.history + k), normal);
       const auto friction = packed_law<TangentialOf<Pack>>(task, block, k, friction_part);
-      across = step_slider(friction.at(point), false, history, speed, time);
+      across = step_slider(friction.at(point), false, history, speed, time, after);
       if (bridges) across = packs(block.solid + k) * across;
       put(block.history + k, history);
       force = force + across;
@@ -80,7 +80,7 @@ template <class LawForm, Turns turns>
 
 [[gnu::noinline]] inline void roll(const ForceTask& task, ContactBlock& block) {
   const auto part = [](const ContactLaws& laws) -> const Rolling& { return laws.rolling; };
-  const Pack time(task.history_step * task.length);
+  const Pack time(task.history_step * task.length), after(task.history_after * task.length);
   const bool rigid = task.rows[0].rolling.rigid(), bridges = task.bridge != nullptr;
   if (!rigid) gather_history(task.pairs.roll, block);
   for (std::uint32_t k = 0; k < block.count; k += width) {
@@ -88,7 +88,7 @@ template <class LawForm, Turns turns>
     const Turning turning = turning_of(task, block, k);
     Vectors history = rigid ? Vectors{} : in_plane(vectors(block.history + k), vectors(block.normal + k));
     const ContactPointOf<Pack> point{packs(block.overlap + k), packs(block.root + k), packs(block.overlap_root + k), packs(block.load + k)};
-    Vectors torque = step_slider(law.at(point), rigid, history, turning.first - turning.second, time);
+    Vectors torque = step_slider(law.at(point), rigid, history, turning.first - turning.second, time, after);
     if (bridges) torque = packs(block.solid + k) * torque;
     put(block.turning + k, torque);
     if (!rigid) put(block.history + k, history);
