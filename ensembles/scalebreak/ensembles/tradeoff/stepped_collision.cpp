@@ -17,6 +17,8 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
+constexpr double rounding = 1e-12;  ///< of a number of steps that is whole
+
 /// After twice the time of the exact motion, and a few steps, something that acts still acts for ever.
 long most_steps(long expected) { return 2 * expected + 10; }
 
@@ -39,14 +41,19 @@ double step_of(const CollisionScene& scene, double step_fraction) {
   return step_fraction * rayleigh_step(dem_setup(scene.input, 0, 1), smallest);
 }
 
-CollisionOutcome step_collision(const CollisionScene& scene, Integrator integrator, double step, double phase) {
+SteppedStart stepped_start(const CollisionScene& scene, Integrator integrator, double step, double phase) {
   const double time = scene.duration > 0 ? scene.duration : scene.reference.time;
-  const long steps = std::max(1L, static_cast<long>(std::ceil(phase + time / step * (1 - 1e-12))));
-  DemSetup setup = dem_setup(scene.input, scene.duration > 0 ? time / (static_cast<double>(steps) - phase) : step, 1);
-  setup.integrator = integrator;
-  System start = bodies_start(scene.input);
-  for (std::size_t i = 0; i < start.count(); ++i) start.position[i] -= phase * setup.step * start.velocity[i];
-  Dem dem(start, setup);
+  const long steps = std::max(1L, static_cast<long>(std::ceil(phase + time / step * (1 - rounding))));
+  SteppedStart start{.system = bodies_start(scene.input), .setup = dem_setup(scene.input, step, 1), .steps = steps};
+  if (scene.duration > 0) start.setup.step = time / (static_cast<double>(steps) - phase);
+  start.setup.integrator = integrator;
+  for (std::size_t i = 0; i < start.system.count(); ++i) start.system.position[i] -= phase * start.setup.step * start.system.velocity[i];
+  return start;
+}
+
+CollisionOutcome step_collision(const CollisionScene& scene, Integrator integrator, double step, double phase) {
+  const SteppedStart start = stepped_start(scene, integrator, step, phase);
+  Dem dem(start.system, start.setup);
   dem.keep_sums(false);
   CollisionOutcome outcome{.bodies = scene.moving.bodies};
   const auto advance = [&](long by) {
@@ -54,19 +61,19 @@ CollisionOutcome step_collision(const CollisionScene& scene, Integrator integrat
     dem.advance(by);
     outcome.seconds += seconds_since(began);
   };
-  advance(steps);
+  advance(start.steps);
   const auto acts = [&] { return !dem.contact_forces().empty(); };
   if (scene.duration == 0) {
-    while (acts() && dem.steps() < most_steps(steps)) advance(1);
+    while (acts() && dem.steps() < most_steps(start.steps)) advance(1);
     outcome.parted = !acts();
   }
   const System end = dem.system();
   for (std::size_t i = 0; i < end.count(); ++i) outcome.bodies[i].velocity = end.velocity[i], outcome.bodies[i].spin = end.spin[i];
   const bool wall = scene.moving.bodies.back().plane;
-  outcome.force_evaluations = std::round(dem.totals().contact_time / setup.step * (wall ? 2 : 1));
+  outcome.force_evaluations = std::round(dem.totals().contact_time / start.setup.step * (wall ? 2 : 1));
   const MappedLaws& laws = scene.moving.laws.front();
   if (scene.moving.bodies.size() == 2 && scene.duration == 0 && outcome.parted && !laws.laws.liquid.bridges())
-    outcome.contact_time = dem.time() - flown_since_separation(end, laws, wall) - phase * setup.step - scene.reference.first_touch;
+    outcome.contact_time = dem.time() - flown_since_separation(end, laws, wall) - phase * start.setup.step - scene.reference.first_touch;
   return outcome;
 }
 
