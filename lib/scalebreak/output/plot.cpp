@@ -38,10 +38,12 @@ std::string curve_text(const Curve& curve) {
       curve.only.empty() ? curve.y : fmt::format("({} ? ({}) : NaN)", curve.only, curve.y.front() == '(' ? curve.y : "$" + curve.y);
   // Marks shrink with the style, so that those which fall on each other still show.
   constexpr int marks[] = {7, 4, 6, 8, 10, 12, 14, 1, 2, 3};
-  const std::string look = curve.points ? fmt::format("with points pt {} ps {:.2f} lw 1.6 lc rgb '{}'", marks[style % std::size(marks)],
+  const std::string marked = curve.error.empty() ? "points" : "yerrorbars";
+  const std::string look = curve.points ? fmt::format("with {} pt {} ps {:.2f} lw 1.6 lc rgb '{}'", marked, marks[style % std::size(marks)],
                                                       1.55 - 0.08 * static_cast<double>(style % 13), colour)
                                         : fmt::format("with lines lw {} lc rgb '{}'", style == 0 ? 2.5 : 1.8, colour);
-  return fmt::format("'{}' using {}:{} {} title {}", curve.file, curve.x, y, look, plain_text(curve.title));
+  const std::string bars = curve.error.empty() ? "" : ":" + curve.error;
+  return fmt::format("'{}' using {}:{}{} {} title {}", curve.file, curve.x, y, bars, look, plain_text(curve.title));
 }
 
 std::string script(const Plot& plot) {

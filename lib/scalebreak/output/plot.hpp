@@ -14,6 +14,7 @@ struct Curve {
   bool points = false;    ///< marks instead of a line
   int style = 0;          ///< colour and mark; 0 is black, for what the others are compared with
   std::string only = {};  ///< a gnuplot condition on the columns, "strcol(1) eq 'rps'"; empty: every row
+  std::string error = {};  ///< of y, as y is, for bars about marks; empty: none
 };
 
 /// A plot: axes with units, a legend, one sentence that says what it shows.

@@ -10,6 +10,7 @@
 #include <scalebreak/material/material.hpp>
 #include <scalebreak/scaling/scaled_pair.hpp>
 #include <scalebreak/scene/flow_input.hpp>
+#include <scalebreak/scene/tradeoff_input.hpp>
 
 namespace scalebreak {
 
@@ -49,6 +50,7 @@ struct Input {
   std::vector<std::string> study_laws;  ///< empty: all that suit the contact
   std::vector<double> study_factors = {0.1, 0.01, 0.0001, 2, 4, 8};
   std::vector<double> study_speeds;  ///< empty: about the sticking speed
+  TradeoffInput tradeoff;            ///< of [study] too
   double tolerance = 1e-8;
   double table_tolerance = 1e-6;
 
