@@ -36,7 +36,8 @@ TEST_F(TradeoffCommand, OfACollisionGivesPointsOrdersAndFiles) {
   EXPECT_GT(exact["force_evaluations"].get<double>(), 50);
   const json& order = j["convergence"][1];
   EXPECT_EQ(order["method"], "verlet_synchronized");
-  EXPECT_NEAR(order["order"].get<double>(), 1, 0.6);
+  EXPECT_GT(order["order"].get<double>(), 0.5);
+  EXPECT_GT(order["order_error"].get<double>(), 0);
   EXPECT_EQ(j, json_file(std::filesystem::path(out) / "result.json"));
   EXPECT_THAT(names_of(files_of(out)), IsSupersetOf({"input.toml", "result.json", "tradeoff.csv", "front.csv", "convergence.gp", "front.gp",
                                                      "front_wall_time.gp", "index.html"}));
