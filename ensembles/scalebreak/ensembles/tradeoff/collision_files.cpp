@@ -34,14 +34,14 @@ std::vector<CollisionPoint> front_of(const CollisionTradeoff& study) {
 }
 
 /// The column of a header of csv_of.
-constexpr const char *setting = "2", *motion_rms = "6", *motion_largest = "7", *energy_gain = "(abs($8))", *time_rms = "9",
-                     *evaluations = "11", *wall_time = "(1e6*$12)";
+constexpr const char *step_fraction = "($3 > 0 ? $2 : NaN)", *motion_rms = "6", *motion_largest = "7", *energy_gain = "(abs($8))",
+                     *time_rms = "9", *evaluations = "11", *wall_time = "(1e6*$12)";
 
 std::vector<Plot> plots_of(const CollisionTradeoff& study, const std::string& title) {
   Plot steps{"convergence",
              "Error of a collision over the step: " + title,
              "step over the Rayleigh time [-]",
-             "error of velocities and spins over the impact speed [-]",
+             "relative error [-]",
              true,
              true,
              {}};
@@ -69,21 +69,22 @@ std::vector<Plot> plots_of(const CollisionTradeoff& study, const std::string& ti
       return Curve{"tradeoff.csv", x, y, what, points, style, only};
     };
     if (method.steps) {
-      steps.curves.push_back(curve(setting, motion_rms, name + ", root mean square over phases", true));
-      steps.curves.push_back(curve(setting, motion_rms, "", false));
-      steps.curves.push_back(curve(setting, motion_largest, name + ", largest", false));
+      steps.curves.push_back(curve(step_fraction, motion_rms, name + ": root mean square", true));
+      steps.curves.push_back(curve(step_fraction, motion_rms, "", false));
+      steps.curves.push_back(curve(step_fraction, motion_largest, name + ": largest", false));
       ++style;
-      steps.curves.push_back(curve(setting, energy_gain, name + ", kinetic energy gained or lost, mean", true));
+      steps.curves.push_back(curve(step_fraction, energy_gain, name + ": mean energy change", true));
       if (study.contact_time) {
         ++style;
-        steps.curves.push_back(curve(setting, time_rms, name + ", contact time, relative", true));
+        steps.curves.push_back(curve(step_fraction, time_rms, name + ": contact time", true));
       }
     }
-    work.curves.push_back(curve(evaluations, motion_rms, name, true));
-    wall.curves.push_back(curve(wall_time, motion_rms, name, true));
+    const int own = 1 + static_cast<int>(method.method);
+    work.curves.push_back({"tradeoff.csv", evaluations, motion_rms, name, true, own, only});
+    wall.curves.push_back({"tradeoff.csv", wall_time, motion_rms, name, true, own, only});
     ++style;
   }
-  work.curves.push_back({"front.csv", evaluations, motion_rms, "front: nothing is better in both", false, 0});
+  work.curves.push_back({"front.csv", evaluations, motion_rms, "front", false, 0});
   return {steps, work, wall};
 }
 
