@@ -1,8 +1,10 @@
 #include "command.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <mutex>
+#include <thread>
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -21,6 +23,7 @@ Input Options::input(const std::optional<std::string>& file) const {
   if (file) given = read_toml_file(*file);
   for (const std::string& setting : settings) given.push_back(read_setting(setting));
   Input input = resolve_input(given);
+  if (either) return input;
   if (input.flow && !flows)
     throw InputError(fmt::format("{}: [particles] or [cell] make a flow, which this command does not take; allowed: a pair or bodies",
                                  file.value_or("--set")));
@@ -36,6 +39,10 @@ TableStore Options::store() const {
           .threads = threads,
           .say = [this](const std::string& sentence) { say(sentence); },
           .progress = progress("building a collision table")};
+}
+
+int Options::cores() const {
+  return threads > 0 ? threads : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
 }
 
 void Options::say(const std::string& sentence) const {

@@ -25,6 +25,7 @@ struct Options {
   bool all_kinds = false, rebuild = false;  ///< of `table`
   bool list = false;                        ///< of `reproduce`
   bool flows = false;                       ///< takes flows, and not pairs and bodies alone
+  bool either = false;                      ///< takes both; without a file, the default pair
   std::string engine = "auto";              ///< of `run`
   bool resume = false;                      ///< of `run`
 
@@ -32,6 +33,8 @@ struct Options {
   [[nodiscard]] Input input(const std::optional<std::string>& file) const;
   [[nodiscard]] Input input() const { return input(files.empty() ? std::nullopt : std::optional(files.front())); }
   [[nodiscard]] TableStore store() const;
+  /// Those of --threads, or all that there are.
+  [[nodiscard]] int cores() const;
   /// A sentence on standard error, unless quiet.
   void say(const std::string& sentence) const;
   /// A bar on standard error with the time left, unless quiet. `begun` is the share that was done earlier.
@@ -65,6 +68,7 @@ void add_table(CLI::App& app, Options& options, std::function<void()>& job);
 void add_invariance(CLI::App& app, Options& options, std::function<void()>& job);
 void add_reproduce(CLI::App& app, Options& options, std::function<void()>& job);
 void add_run(CLI::App& app, Options& options, std::function<void()>& job);
+void add_tradeoff(CLI::App& app, Options& options, std::function<void()>& job);
 void add_compare(CLI::App& app, Options& options, std::function<void()>& job);
 void add_stability(CLI::App& app, Options& options, std::function<void()>& job);
 

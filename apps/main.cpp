@@ -29,6 +29,7 @@ int run(int argc, char** argv) {
   add_run(app, options, job);
   add_compare(app, options, job);
   add_stability(app, options, job);
+  add_tradeoff(app, options, job);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

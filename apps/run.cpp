@@ -1,6 +1,5 @@
 #include <atomic>
 #include <csignal>
-#include <thread>
 
 #include <fmt/format.h>
 
@@ -32,18 +31,15 @@ void stop_on_signals() {
   for (const int signal : {SIGINT, SIGTERM}) sigaction(signal, &action, nullptr);
 }
 
-int all_threads() { return static_cast<int>(std::max(1u, std::thread::hardware_concurrency())); }
-int threads_of(const Options& options) { return options.threads > 0 ? options.threads : all_threads(); }
-
 void refuse_other_engines(const std::string& engine) {
   if (engine != "auto" && engine != "dem")
     throw InputError(fmt::format("--engine: {} is not there yet; allowed: dem, or auto, which chooses it", engine));
 }
 
 std::string estimate(const Options& options, const Input& input) {
-  const RunEstimate e = estimate_run(input, threads_of(options));
+  const RunEstimate e = estimate_run(input, options.cores());
   return fmt::format("engine dem, {:.0f} spheres, {:.3g} steps, about {:.2g} s on {} threads, {:.2g} MB of memory, {:.2g} MB of particle files with --out",
-                     e.particles, e.steps, e.seconds, threads_of(options), e.bytes / 1e6, e.file_bytes / 1e6);
+                     e.particles, e.steps, e.seconds, options.cores(), e.bytes / 1e6, e.file_bytes / 1e6);
 }
 
 /// A run that goes on has its input and threads in the checkpoint; what is given must be the same.
@@ -103,7 +99,7 @@ void run(Options& options) {
   stop_on_signals();
   if (!options.out.empty() && !options.resume) begin_run_folder(options.out, input_file_text(input, "run"));
   const RunOutcome outcome = run_flow(input, {.out = options.out,
-                                              .threads = threads_of(options),
+                                              .threads = options.cores(),
                                               .resume = options.resume,
                                               .tables = options.store(),
                                               .stop = [] { return told_to_stop.load(); },

@@ -125,7 +125,7 @@ double error(const Input& input, double fraction, const char* kernel = nullptr) 
     const MotionOutcome exact = moving_scene(input).move({.tolerance = 1e-10});
     DemSetup setup = test::setup_of(input, fraction);
     setup.kernel = kernel;
-    System start = test::system_of(input);
+    System start = bodies_start(input);
     // So that first touch falls between two steps.
     start.position[0] -= shift * setup.step * start.velocity[0];
     Dem dem(start, setup);

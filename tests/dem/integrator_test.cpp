@@ -19,7 +19,7 @@ double restitution_error(Integrator integrator, double fraction) {
   setup.integrator = integrator;
   double mean = 0;
   for (int k = 0; k < 20; ++k) {
-    System start = test::system_of(input);
+    System start = bodies_start(input);
     start.position[0] -= k / 20.0 * setup.step * start.velocity[0];
     Dem dem(start, setup);
     const System end = test::after_contact(dem);

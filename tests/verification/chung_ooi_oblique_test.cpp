@@ -5,6 +5,7 @@
 
 #include <collisions/naive_stepper.hpp>
 #include <scalebreak/collisions/bodies/moving_scene.hpp>
+#include <verification/chung_ooi_scenes.hpp>
 
 // Chung & Ooi, Granular Matter 13 (2011) 643: the oblique and spinning impacts, tests 4 to 8, in their closed form while the
 // contact slides throughout; and the experiment of Kharaz, Gorham & Salman 2001 (digitised in the MFiX suite).
@@ -14,21 +15,7 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180;
 
-Material material(double young, double poisson, double density, double restitution, double friction) {
-  return {.young = young,
-          .poisson = poisson,
-          .density = density,
-          .restitution = restitution,
-          .sliding_friction = friction,
-          .surface_energy = 0};
-}
-
-Input impact(const Material& first, const Material& second, double radius, TorqueArm arm = TorqueArm::radius) {
-  Input input{.material = first, .second = second, .wall = {second}, .radius = {radius}, .against_wall = true};
-  input.contact = canonical({.normal = NormalModel::hertz});
-  input.surface = {.tangential = TangentialModel::mindlin, .tangential_radius = DampingOn::overlap, .torque_arm = arm};
-  return input;
-}
+using namespace tests;
 
 struct Followed {
   MotionOutcome end;
@@ -65,10 +52,8 @@ Followed follow(const Input& input) {
 class Test4 : public testing::TestWithParam<int> {};
 
 TEST_P(Test4, ObliqueImpactOfASphereThatSlides) {
-  const Material oxide = material(380e9, 0.23, 4000, 0.98, 0.092);
-  const double radius = 2.5e-3, speed = 3.9, angle = GetParam() * degree;
-  Input input = impact(oxide, oxide, radius);
-  input.normal_speed = speed * std::cos(angle), input.tangential_speed = speed * std::sin(angle);
+  const double radius = 2.5e-3;
+  const Input input = chung_ooi_4(GetParam());
   const Followed r = follow(input);
   const double mass = sphere_mass(radius, 4000), gain = 0.092 * r.normal_impulse / mass;
   const double velocity = r.end.bodies[0].velocity[0], spin = r.end.bodies[0].spin[1];
@@ -91,9 +76,7 @@ TEST_P(Test4, ObliqueImpactOfASphereThatSlides) {
 
 /// Where sliding at 35 degrees ends, by the engine's event and by a plain stepper that knows of no events.
 TEST(ChungOoi, Test4At35DegreesSlidesNoMoreInItsLastInstant) {
-  const Material oxide = material(380e9, 0.23, 4000, 0.98, 0.092);
-  Input input = impact(oxide, oxide, 2.5e-3);
-  input.normal_speed = 3.9 * std::cos(35 * degree), input.tangential_speed = 3.9 * std::sin(35 * degree);
+  const Input input = chung_ooi_4(35);
   const Followed r = follow(input);
   const double contact_time = r.end.last_separation - r.end.first_touch;
   const MovingScene scene = moving_scene(input);
@@ -109,13 +92,9 @@ TEST(ChungOoi, Test4At35DegreesSlidesNoMoreInItsLastInstant) {
 INSTANTIATE_TEST_SUITE_P(Degrees, Test4, testing::Values(5, 10, 15, 20, 25, 30, 35, 40, 45, 50, 55, 60, 65, 70, 75, 80, 85));
 
 TEST(ChungOoi, Test5ObliqueImpactsOfATinySphereThatSlides) {
-  const Material steel = material(208e9, 0.30, 7850, 1, 0.3);
   const double radius = 10e-6, normal = 5, mu = 0.3;
   for (const double psi : {6.2, 6.5, 7.0, 8.0, 10.0, 14.0, 20.0}) {
-    Input input = impact(steel, steel, radius);
-    input.normal_speed = normal;
-    input.tangential_speed = psi * mu * normal;
-    const MotionOutcome end = follow(input).end;
+    const MotionOutcome end = follow(chung_ooi_5(psi)).end;
     const double spin = end.bodies[0].spin[1];
     // ψ is that of the surface, over μ v_n.
     EXPECT_NEAR((end.bodies[0].velocity[0] - radius * spin) / (mu * normal), psi - 7, 1e-6 * psi);
@@ -123,17 +102,15 @@ TEST(ChungOoi, Test5ObliqueImpactsOfATinySphereThatSlides) {
   }
 }
 
-/// Test 6, and with 8 the same between spheres: a spin ω about y and no tangential speed. β is the surface's restitution.
-void expect_spin_slows(Input input, double turned) {
-  const double radius = 0.1, normal = 0.2, mu = 0.4;
+/// Test 6, and with 8 the same between spheres. β is the surface's restitution.
+void expect_spin_slows(Input (*impact)(double), double turned) {
+  const double radius = 0.1, mu = 0.4;
   int slid = 0;
   for (const double x : {0.2, 0.4, 0.6, 0.7}) {
-    input.normal_speed = normal;
-    const double omega = 3.5 * mu * 1.5 * normal / (x * radius);  // x would be this with J = (1 + e) m v_n
-    input.spin1 = {0, omega, 0};
+    const Input input = impact(x);
     const Followed r = follow(input);
     const MovingBody& body = r.end.bodies[0];
-    const double mass = sphere_mass(radius, input.material.density), surface = radius * omega;
+    const double mass = sphere_mass(radius, input.material.density), surface = radius * input.spin1.y();
     const double reached = 3.5 * mu * r.normal_impulse / (mass * surface);
     EXPECT_EQ(r.sticks, 0);
     const double after = body.velocity[0] - radius * body.spin[1] - (input.against_wall ? 0 : r.end.bodies[1].velocity[0]);
@@ -143,29 +120,13 @@ void expect_spin_slows(Input input, double turned) {
   EXPECT_EQ(slid, 4);
 }
 
-TEST(ChungOoi, Test6SpinThatSlides) {
-  const Material alloy = material(70e9, 0.33, 2700, 0.5, 0.4);
-  expect_spin_slows(impact(alloy, alloy, 0.1), 0);
-}
+TEST(ChungOoi, Test6SpinThatSlides) { expect_spin_slows(chung_ooi_6, 0); }
 
-TEST(ChungOoi, Test8SpinOnAHeavyStiffSphereThatSlides) {
-  const Material alloy = material(70e9, 0.33, 2700, 0.5, 0.4), heavy = material(70e12, 0.33, 2.7e6, 0.5, 0.4);
-  Input input = impact(alloy, heavy, 0.1);
-  input.against_wall = false;
-  input.radius = {0.1, 0.5};
-  expect_spin_slows(input, 1e-3);
-}
+TEST(ChungOoi, Test8SpinOnAHeavyStiffSphereThatSlides) { expect_spin_slows(chung_ooi_8, 1e-3); }
 
 TEST(ChungOoi, Test7SpheresOfMatchedSpinsKeepThem) {
-  const Material alloy = material(70e9, 0.33, 2700, 0.5, 0.4);
   for (const double spin : {0.175, 1.0, 5.0}) {
-    Input input;
-    input.material = alloy;
-    input.contact = canonical({.normal = NormalModel::hertz});
-    input.surface = {.tangential = TangentialModel::mindlin, .tangential_radius = DampingOn::overlap};
-    // Head-on at ±0.2 m/s, spins ±ω: the surfaces go the same way.
-    input.bodies = {{.position = {0, 0, 0.1}, .velocity = {0, 0, -0.2}, .spin = {0, spin, 0}, .radius = 0.1},
-                    {.position = {0, 0, -0.1}, .velocity = {0, 0, 0.2}, .spin = {0, -spin, 0}, .radius = 0.1}};
+    const Input input = chung_ooi_7(spin);
     const MotionOutcome end = moving_scene(input).move({.tolerance = 1e-10});
     ASSERT_EQ(end.touches, 1);
     for (const std::size_t k : {0, 1}) {
@@ -182,9 +143,8 @@ struct Point {
 };
 
 MotionOutcome kharaz(double angle) {
-  const Material oxide = material(380e9, 0.23, 4000, 0.98, 0.092), wall = material(70e9, 0.25, 2500, 0.98, 0.092);
-  Input input = impact(oxide, wall, 2.5e-3);
-  input.normal_speed = 3.9 * std::cos(angle * degree), input.tangential_speed = 3.9 * std::sin(angle * degree);
+  Input input = chung_ooi_4(angle);
+  input.wall.material = chung_ooi_material(70e9, 0.25, 2500, 0.98, 0.092);
   return moving_scene(input).move({.tolerance = 1e-9});
 }
 

@@ -56,6 +56,7 @@ class Dem::Engine {
     std::uint32_t deferred_count = 0;
     dem::LawRows rows, wall_rows;  ///< its own, where each contact has a row
     double fastest_squared = 0, resting_fastest_squared = 0;
+    std::vector<std::uint32_t> met;  ///< spheres of others that have begun a contact in this step
     dem::Tally tally;
     std::exception_ptr failure;
   };
@@ -79,15 +80,30 @@ class Dem::Engine {
   void mark_movers(const Worker& worker);
   void collect_movers(Worker& worker);
   void collect_pushed(Worker& worker);
-  /// Has a sphere on the list of those who may bear a force, if it is the worker's own.
-  void push(Worker& worker, std::uint32_t sphere);
+  /// Has a sphere on the list of those who may bear a force, if it is the worker's own. Was it not yet?
+  bool push(Worker& worker, std::uint32_t sphere);
+  /// The same of one that begins a contact, and has no force yet: what dashpots see of it is its velocity alone.
+  void meet(Worker& worker, std::uint32_t sphere);
   /// A sphere that is near none, from the last lists to now: so many steps of velocity Verlet without a force.
   void fly(dem::Quad& position, dem::Quad& velocity) const;
   void bring_up_resting(Worker& worker);
   // engine_step.cpp
   void move(Worker& worker);
   void plan_lists();
-  void add_forces(Worker& worker, double history_step);
+  /// By how much histories go on before the forces and after them [s]. Beside velocities of the forces' instant they are kept half a step
+  /// ahead of it, so that each step integrates them to second order.
+  struct HistorySteps {
+    double before, after;
+  };
+  [[nodiscard]] bool histories_are_ahead() const { return setup_.integrator == Integrator::synchronized; }
+  [[nodiscard]] HistorySteps history_steps() const;
+  /// The forces of the last step once more: histories come out as they went in.
+  [[nodiscard]] HistorySteps history_steps_again() const;
+  /// The same engine with histories of this instant, to be looked at and not to go on with.
+  [[nodiscard]] Engine with_histories_of_now() const;
+  void find_contacts(Worker& worker);
+  void adopt_met(Worker& worker);
+  void add_forces(Worker& worker, HistorySteps histories);
   void fetch_deferred(Worker& worker);
   void take_tallies();
   void kick(std::uint32_t sphere, double share);
@@ -96,7 +112,7 @@ class Dem::Engine {
   void guarded(Worker& worker, Work work);
   void rethrow();
 
-  [[nodiscard]] dem::ForceTask force_task(Worker& worker, dem::Pairs& pairs, const dem::WallView* wall, double history_step);
+  [[nodiscard]] dem::ForceTask force_task(Worker& worker, dem::Pairs& pairs, const dem::WallView* wall, HistorySteps histories);
   class ListKeeper;
   [[nodiscard]] dem::LawRows& rows_for(Worker& worker, bool wall);
   [[nodiscard]] dem::LawRows::Kind kind_at(std::uint32_t sphere) const { return dem::kind_of(spheres_, material_, sphere); }
@@ -106,8 +122,9 @@ class Dem::Engine {
   [[nodiscard]] double travel_of(double fastest_squared) const;
   [[nodiscard]] Cell cell_now() const { return advanced(cell_, setup_.step * static_cast<double>(steps_)); }
   // engine_state.cpp
-  [[nodiscard]] std::vector<ContactMemory> contact_memories() const;
+  [[nodiscard]] std::vector<ContactMemory> contact_memories() const;  ///< histories as they are kept
   [[nodiscard]] std::int32_t second_of(const dem::Contact& contact, const dem::WallView* wall) const;
+  [[nodiscard]] double energy_of_springs() const;                      ///< with histories as they are kept [J]
   template <class Archive>
   void archive_head(Archive& archive);
   template <class Archive>

@@ -201,17 +201,31 @@ void Dem::Engine::collect_movers(Worker& worker) {
   worker.resting_fastest_squared = fastest;
 }
 
-void Dem::Engine::push(Worker& worker, std::uint32_t sphere) {
-  if (sphere - worker.begin >= worker.end - worker.begin || pushed_[sphere]) return;
+bool Dem::Engine::push(Worker& worker, std::uint32_t sphere) {
+  if (sphere - worker.begin >= worker.end - worker.begin || pushed_[sphere]) return false;
   pushed_[sphere] = 1;
   worker.pushed.push_back(sphere);
+  return true;
+}
+
+void Dem::Engine::meet(Worker& worker, std::uint32_t sphere) {
+  if (!push(worker, sphere) || spheres_.seen_velocity.empty()) return;
+  const Quad& v = spheres_.velocity[sphere];
+  const Eigen::Vector3d gain = (steps_ == 0 ? 0.0 : setup_.step / 2) * setup_.gravity;  // velocities of the start are not behind
+  spheres_.seen_velocity[sphere] = {v.x + gain.x(), v.y + gain.y(), v.z + gain.z(), v.w};
+  if (turns_) spheres_.seen_spin[sphere] = spheres_.spin[sphere];
 }
 
 void Dem::Engine::collect_pushed(Worker& worker) {
   std::fill(pushed_.begin() + worker.begin, pushed_.begin() + worker.end, std::uint8_t{0});
   worker.pushed.clear();
-  const Contacts& contacts = worker.pairs.contacts;
-  for (std::uint32_t k = 0; k < contacts.count; ++k) push(worker, contacts.first[k]), push(worker, sphere_of(contacts.second[k]));
+  for (const Worker& other : workers_) {
+    const Contacts& contacts = other.pairs.contacts;
+    if (&other == &worker) {
+      for (std::uint32_t k = 0; k < contacts.count; ++k) push(worker, contacts.first[k]);
+    }
+    for (std::uint32_t k = 0; k < contacts.count; ++k) push(worker, sphere_of(contacts.second[k]));
+  }
   for (const WallPairs& wall : worker.walls) {
     for (std::uint32_t k = 0; k < wall.pairs.contacts.count; ++k) push(worker, wall.pairs.contacts.first[k]);
   }
@@ -227,15 +241,8 @@ void Dem::Engine::fly(Quad& x, Quad& v) const {
 
 void Dem::Engine::bring_up_resting(Worker& worker) {
   if (worker.movers.size() == worker.end - worker.begin) return;
-  const Eigen::Vector3d& g = setup_.gravity;
   for (std::uint32_t i = worker.begin; i < worker.end; ++i) {
-    if (moves_[i]) continue;
-    Quad &x = spheres_.position[i], &v = spheres_.velocity[i];
-    fly(x, v);
-    if (spheres_.seen_velocity.empty()) continue;
-    const double half = setup_.step / 2;
-    spheres_.seen_velocity[i] = {v.x + half * g.x(), v.y + half * g.y(), v.z + half * g.z(), v.w};
-    if (turns_) spheres_.seen_spin[i] = spheres_.spin[i];
+    if (!moves_[i]) fly(spheres_.position[i], spheres_.velocity[i]);
   }
 }
 

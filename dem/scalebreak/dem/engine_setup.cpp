@@ -39,7 +39,9 @@ Dem::Engine::Engine(const System& start, const DemSetup& setup)
   for (const Worker& worker : workers_) mark_movers(worker);
   for (Worker& worker : workers_) collect_movers(worker);
   // The forces of the start, by which velocities are set half a step back; histories stay as they are.
-  for (Worker& worker : workers_) add_forces(worker, 0);
+  for (Worker& worker : workers_) find_contacts(worker);
+  for (Worker& worker : workers_) adopt_met(worker);
+  for (Worker& worker : workers_) add_forces(worker, {0, history_steps().after});
   rethrow();
   for (Worker& worker : workers_) fetch_deferred(worker);
   for (Worker& worker : workers_) worker.tally.touches = worker.tally.wall_power = 0;

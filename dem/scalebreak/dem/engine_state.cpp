@@ -36,7 +36,7 @@ System Dem::Engine::system() const {
     if (turns_) system.spin[i] = vector(spheres_.spin[k]) + half * spheres_.spin[k].w * vector(spheres_.torque[k]);
     wrap(system.cell, system.position[i], system.velocity[i]);
   }
-  system.contacts = contact_memories();
+  system.contacts = histories_are_ahead() ? with_histories_of_now().contact_memories() : contact_memories();
   return system;
 }
 
@@ -72,10 +72,9 @@ std::vector<ContactForce> Dem::Engine::contact_forces() const {
   const auto visit = [&](Worker& worker, Pairs& pairs, const WallView* wall) {
     const Contacts& contacts = pairs.contacts;
     std::vector<Quad> force(contacts.count), branch(contacts.count);
-    ForceTask task = copy.force_task(worker, pairs, wall, 0);
+    ForceTask task = copy.force_task(worker, pairs, wall, history_steps_again());
     ListKeeper keeper(copy, worker, pairs, wall != nullptr);
     task.keeper = &keeper;
-    task.near = {};  // none of them touches: they have just been asked
     task.contact_force = force.data(), task.contact_branch = branch.data();
     copy.kernel_.forces(task);
     worker.deferred_count = task.deferred_count;
@@ -96,7 +95,17 @@ std::vector<ContactForce> Dem::Engine::contact_forces() const {
   return forces;
 }
 
+Dem::Engine Dem::Engine::with_histories_of_now() const {
+  Engine copy(*this);
+  for (Worker& worker : copy.workers_) copy.add_forces(worker, {history_steps_again().before, 0});
+  return copy;
+}
+
 double Dem::Engine::elastic_energy() const {
+  return histories_are_ahead() ? with_histories_of_now().energy_of_springs() : energy_of_springs();
+}
+
+double Dem::Engine::energy_of_springs() const {
   const double scale = rows_.mapped().force / rows_.mapped().length;
   double energy = 0;
   const auto add = [&](const Contacts& contacts, const LawRows& rows, const WallView* wall) {

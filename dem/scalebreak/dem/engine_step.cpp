@@ -50,13 +50,19 @@ void Dem::Engine::advance(long steps) {
 #pragma omp barrier
         guarded(worker, [&] { select_pairs(worker); });
         clear_marks(worker);
-        collect_pushed(worker);
 #pragma omp barrier
         mark_movers(worker);
+        collect_pushed(worker);
 #pragma omp barrier
         collect_movers(worker);
       }
-      guarded(worker, [&] { add_forces(worker, setup_.step); });
+      guarded(worker, [&] { find_contacts(worker); });
+      if (histories_are_ahead() && workers_.size() > 1) {
+#pragma omp barrier
+        adopt_met(worker);
+#pragma omp barrier
+      }
+      guarded(worker, [&] { add_forces(worker, history_steps()); });
 #pragma omp barrier
       fetch_deferred(worker);
 #pragma omp single
@@ -123,7 +129,17 @@ void Dem::Engine::unstable(double speed) const {
                   time(), steps_, speed, speed * setup_.step / smallest_, setup_.step, farthest_in_a_step));
 }
 
-ForceTask Dem::Engine::force_task(Worker& worker, Pairs& pairs, const WallView* wall, double history_step) {
+Dem::Engine::HistorySteps Dem::Engine::history_steps() const {
+  const double after = histories_are_ahead() ? setup_.step / 2 : 0.0;
+  return {setup_.step - after, after};
+}
+
+Dem::Engine::HistorySteps Dem::Engine::history_steps_again() const {
+  const double after = history_steps().after;
+  return {-after, after};
+}
+
+ForceTask Dem::Engine::force_task(Worker& worker, Pairs& pairs, const WallView* wall, HistorySteps histories) {
   const LawRows& rows = rows_for(worker, wall != nullptr);
   const MappedLaws& mapped = rows.mapped();
   return {.spheres = spheres_.view(),
@@ -142,7 +158,8 @@ ForceTask Dem::Engine::force_task(Worker& worker, Pairs& pairs, const WallView* 
           .force = mapped.force,
           .torque = mapped.torque,
           .radius_share = rows.radius_share(),
-          .history_step = history_step,
+          .history_step = histories.before,
+          .history_after = histories.after,
           .turns = turns_,
           .sums_moment = keep_sums_,
           .own_begin = worker.begin,
@@ -152,10 +169,29 @@ ForceTask Dem::Engine::force_task(Worker& worker, Pairs& pairs, const WallView* 
           .deferred_room = static_cast<std::uint32_t>(worker.deferred.size())};
 }
 
-void Dem::Engine::add_forces(Worker& worker, double history_step) {
+void Dem::Engine::find_contacts(Worker& worker) {
+  worker.met.clear();
+  const auto find = [&](Pairs& pairs, const WallView* wall) {
+    ForceTask task = force_task(worker, pairs, wall, {0, 0});
+    ListKeeper keeper(*this, worker, pairs, wall != nullptr);
+    task.keeper = &keeper;
+    kernel_.find_contacts(task);
+    worker.tally.starts += task.tally.starts;
+  };
+  find(worker.pairs, nullptr);
+  for (std::size_t w = 0; w < walls_.size(); ++w) find(worker.walls[w].pairs, &walls_[w]);
+}
+
+void Dem::Engine::adopt_met(Worker& worker) {
+  for (const Worker& other : workers_) {
+    for (const std::uint32_t sphere : other.met) meet(worker, sphere);
+  }
+}
+
+void Dem::Engine::add_forces(Worker& worker, HistorySteps histories) {
   worker.deferred_count = 0;
   const auto run = [&](Pairs& pairs, const WallView* wall) {
-    ForceTask task = force_task(worker, pairs, wall, history_step);
+    ForceTask task = force_task(worker, pairs, wall, histories);
     ListKeeper keeper(*this, worker, pairs, wall != nullptr);
     task.keeper = &keeper;
     task.tally = worker.tally;

@@ -12,8 +12,11 @@ class Dem::Engine::ListKeeper final : public dem::ContactKeeper {
   void meet(dem::ForceTask& task, std::uint32_t first, std::uint32_t second) override {
     const std::uint32_t row = open(first, second);
     pairs_.contacts.add({.first = first, .second = second, .row = row, .begun = engine_.time()});
-    engine_.push(worker_, first);
-    if (!wall_) engine_.push(worker_, dem::sphere_of(second));
+    engine_.meet(worker_, first);
+    if (!wall_) {
+      const std::uint32_t other = dem::sphere_of(second);
+      other - worker_.begin < worker_.end - worker_.begin ? engine_.meet(worker_, other) : worker_.met.push_back(other);
+    }
     show(task);
     task.tally.starts += share();
   }

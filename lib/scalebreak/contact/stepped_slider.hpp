@@ -33,9 +33,11 @@ template <class T>
 /// rather than located there. Changes `history` (see Slider: a displacement or, of an incremental law, a force) and returns the force
 /// against `speed`. What slides has a spring that makes spring and dashpot equal the limit; where it would have to push forward, and
 /// further than it does, it is left as it is (Slider's skid). A law without a spring gives its limit against the speed.
+/// Then `history` goes on by `after` more, unless it skids: with a speed of the force's instant, half a step before the force and half a step
+/// after it integrate the history to second order.
 template <class T>
 [[nodiscard, gnu::always_inline]] inline Vector3Of<T> step_slider(const SliderLawOf<T>& law, bool rigid, Vector3Of<T>& history,
-                                                                  const Vector3Of<T>& speed, const T& time) {
+                                                                  const Vector3Of<T>& speed, const T& time, const T& after) {
   using std::sqrt;
   // By what a vector is shortened to the limit.
   const auto over = [](const Vector3Of<T>& v, const T& limit) __attribute__((always_inline)) {
@@ -51,20 +53,21 @@ template <class T>
   if (law.incremental) {
     const Vector3Of<T> trial = history + (law.stiffness * time) * speed;
     const T share = over(trial, law.limit);
-    history = share * trial;
-    return history + choose(share < 1.0, T(0), law.damping) * speed;  // what slides has no dashpot
+    const Vector3Of<T> force = share * trial;
+    history = force + (law.stiffness * after) * speed;
+    return force + choose(share < 1.0, T(0), law.damping) * speed;  // what slides has no dashpot
   }
-  const Vector3Of<T> stretched = history + time * speed;
+  const Vector3Of<T> stretched = history + time * speed, carried = after * speed;
   if (!law.dashpot_is_limited) {
     const Vector3Of<T> trial = law.stiffness * stretched;
     const T share = over(trial, law.limit);
-    history = share * stretched;
+    history = share * stretched + carried;
     return share * trial;
   }
   const Vector3Of<T> dashpot = law.damping * speed, trial = law.stiffness * stretched + dashpot;
   const auto slides = trial.dot(trial) > law.limit * law.limit;
   if (!any(slides)) {
-    history = stretched;
+    history = stretched + carried;
     return trial;
   }
   const Vector3Of<T> sliding = over(trial, law.limit) * trial, spring = sliding - dashpot;
@@ -74,9 +77,9 @@ template <class T>
   const auto skids = slides && pull < 0.0 && pull < sliding.dot(left);
   const Vector3Of<T> kept = left + dashpot, skidding = over(kept, law.limit) * kept;
   const T softness = choose(law.stiffness > 0.0, T(1.0 / choose(law.stiffness > 0.0, law.stiffness, T(1))), T(0));
-  history.x = choose(slides, choose(skids, history.x, T(softness * spring.x)), stretched.x);
-  history.y = choose(slides, choose(skids, history.y, T(softness * spring.y)), stretched.y);
-  history.z = choose(slides, choose(skids, history.z, T(softness * spring.z)), stretched.z);
+  history.x = choose(slides, choose(skids, history.x, T(softness * spring.x + carried.x)), T(stretched.x + carried.x));
+  history.y = choose(slides, choose(skids, history.y, T(softness * spring.y + carried.y)), T(stretched.y + carried.y));
+  history.z = choose(slides, choose(skids, history.z, T(softness * spring.z + carried.z)), T(stretched.z + carried.z));
   return {choose(skids, skidding.x, sliding.x), choose(skids, skidding.y, sliding.y), choose(skids, skidding.z, sliding.z)};
 }
 

@@ -38,7 +38,8 @@ std::string curve_text(const Curve& curve) {
       curve.only.empty() ? curve.y : fmt::format("({} ? ({}) : NaN)", curve.only, curve.y.front() == '(' ? curve.y : "$" + curve.y);
   // Marks shrink with the style, so that those which fall on each other still show.
   constexpr int marks[] = {7, 4, 6, 8, 10, 12, 14, 1, 2, 3};
-  const std::string look = curve.points ? fmt::format("with points pt {} ps {:.2f} lw 1.6 lc rgb '{}'", marks[style % std::size(marks)],
+  const std::string marked = curve.error.empty() ? "points" : "yerrorbars";
+  const std::string look = curve.points ? fmt::format("with {} pt {} ps {:.2f} lw 1.6 lc rgb '{}'", marked, marks[style % std::size(marks)],
                                                       1.55 - 0.08 * static_cast<double>(style % 13), colour)
                                         : fmt::format("with lines lw {} lc rgb '{}'", style == 0 ? 2.5 : 1.8, colour);
   if (!curve.error.empty()) {

@@ -74,9 +74,10 @@ struct RunInput {
   double warmup_duration = 0;  ///< before it [s]; 0: warmup_strain holds
   double warmup_strain = 0;
   std::uint64_t seed = 1;
-  double step_fraction = 0.15;  ///< of the Rayleigh time
+  double step_fraction = 0.15;  ///< of the Rayleigh time: see docs/default_step.md
+  bool step_bounds = true;      ///< is the step kept within the bounds of dem/critical_step.hpp?
   std::uint64_t replicas = 1;   ///< runs that differ by their random numbers alone
-  Integrator integrator = Integrator::verlet;
+  Integrator integrator = Integrator::synchronized;
 
   bool operator==(const RunInput&) const = default;
 };

@@ -90,8 +90,10 @@ void add_run(std::vector<Key>& list) {
   add.number("warmup_duration", "s", "time before it that is not measured; 0: warmup_strain holds", &RunInput::warmup_duration);
   add.number("warmup_strain", "-", "the same times the shear rate; 0: warmup_duration holds", &RunInput::warmup_strain);
   add.whole("seed", "of all random numbers", &RunInput::seed);
-  add.number("step_fraction", "-", "step of the soft-sphere engine over the Rayleigh time of the smallest sphere",
+  add.number("step_fraction", "-", "step of the soft-sphere engine over the Rayleigh time of the smallest sphere (docs/default_step.md)",
              &RunInput::step_fraction);
+  list.push_back(flag("run", "step_bounds", "keep that step within a thirtieth of the contact time, and an oscillation of a linear contact",
+                      [](Input& input) -> bool& { return input.run.step_bounds; }));
   add.whole("replicas", "runs that differ in their random numbers alone", &RunInput::replicas);
   add.word("integrator", "velocity Verlet as it is, or with velocities brought up to the time of the forces", integrator_words,
            &RunInput::integrator);

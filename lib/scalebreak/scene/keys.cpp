@@ -140,6 +140,23 @@ std::vector<Key> make_keys() {
       }));
   list.push_back(number("study", "energy_growth", "-", "relative growth of energy per collision of each sphere up to which a step counts as stable",
                         [](Input& input) -> double& { return input.study_energy_growth; }));
+  list.push_back(choices(
+      "study", "methods", "of tradeoff: what is compared; empty: all that suit the scene", words_of(method_words), 0, std::size(method_words),
+      [](Input& input, const std::vector<std::size_t>& chosen) {
+        input.tradeoff.methods.clear();
+        for (const std::size_t i : chosen) input.tradeoff.methods.push_back(static_cast<Method>(i));
+      },
+      [](const Input& input) {
+        std::vector<std::size_t> chosen;
+        for (const Method method : input.tradeoff.methods) chosen.push_back(static_cast<std::size_t>(method));
+        return chosen;
+      }));
+  list.push_back(numbers("study", "step_fractions", "-", "of tradeoff: steps of the soft-sphere engine over the Rayleigh time", 1, 100,
+                         [](Input& input) -> std::vector<double>& { return input.tradeoff.step_fractions; }));
+  list.push_back(numbers("study", "tolerances", "-", "of tradeoff: tolerances of the exact engine", 1, 100,
+                         [](Input& input) -> std::vector<double>& { return input.tradeoff.tolerances; }));
+  list.push_back(whole_number("study", "phases", "of tradeoff: points of a step at which a collision begins",
+                              [](Input& input) -> std::uint64_t& { return input.tradeoff.phases; }));
   list.push_back(number("numerics", "tolerance", "-", "of the restitution and the relative contact time of an exact collision",
                         [](Input& input) -> double& { return input.tolerance; }));
   list.push_back(number("numerics", "table_tolerance", "-", "of a collision table, in e^2 and in relative contact time",

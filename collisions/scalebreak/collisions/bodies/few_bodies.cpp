@@ -57,6 +57,7 @@ class Motion {
     outcome_.bodies = system_.bodies(state_);
     outcome_.time = system_.time(state_);
     outcome_.after = system_.account(state_);
+    outcome_.force_evaluations = system_.force_evaluations();
     for (const Link& link : system_.links()) outcome_.open_contacts += link.touching;
     return std::move(outcome_);
   }

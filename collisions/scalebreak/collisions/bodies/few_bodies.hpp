@@ -86,6 +86,7 @@ struct MotionOutcome {
   double turned = 0;          ///< largest angle by which a line of centres turned during one contact [rad]
   EnergyAccount before, after;
   int steps = 0;
+  long force_evaluations = 0;  ///< of contacts and bridges, each once at every state looked at
 };
 
 /// Moves a few bodies that interact by `laws(i, j)` (i < j) to the end, exactly: adaptive steps of eighth order, every touch,

@@ -138,6 +138,7 @@ void FewBodySystem::finish_rates(const State& y, const Link& link, std::size_t, 
 
 void FewBodySystem::evaluate(const State& y) {
   for (std::size_t b = 0; b < bodies_.size(); ++b) acceleration_[b] = spin_rate_[b] = Vector3d::Zero();
+  force_evaluations_ += static_cast<long>(links_.size());
   double product = 1;
   for (std::size_t c = 0; c < links_.size(); ++c) {
     Evaluated& e = evaluated_[c];

@@ -88,6 +88,7 @@ class FewBodySystem {
     return time_rate_;
   }
   [[nodiscard]] bool duration_over() const { return duration_over_; }
+  [[nodiscard]] long force_evaluations() const { return force_evaluations_; }
 
   /// Links what touches at the start without approach, and attracts: it begins to pull.
   void begin(State& y, std::vector<Change>& changes);
@@ -194,6 +195,7 @@ class FewBodySystem {
   std::vector<Eigen::Vector3d> acceleration_, spin_rate_;
   double time_rate_ = 1;
   EnergyAccount spent_;  ///< by links that are no more
+  long force_evaluations_ = 0;
 };
 
 }  // namespace scalebreak

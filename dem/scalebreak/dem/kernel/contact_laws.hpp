@@ -91,7 +91,7 @@ template <class LawForm, Turns turns, bool wall>
   using std::sqrt;
   using Source = typename LawForm::Source;
   constexpr bool hertz = std::is_same_v<Source, Hertz<double>>;
-  const Pack time(task.history_step * task.length);
+  const Pack time(task.history_step * task.length), after(task.history_after * task.length);
   const Vectors normal = at.inverse * at.between;
   const Pack approach = normal.dot(motion.velocity), depth = at.overlap, x = at.coordinate;
   Pack along = laws.normal.force(x) + laws.normal.damping(x) * approach;
@@ -123,7 +123,7 @@ template <class LawForm, Turns turns, bool wall>
     }
     if (turns == Turns::sliding || acting.friction) {
       Vectors history = in_plane(vectors(slides), normal);
-      across = step_slider(laws.friction.at(point), false, history, speed, time);
+      across = step_slider(laws.friction.at(point), false, history, speed, time, after);
       put(slides, history);
       if (at.partly) across = at.solid * across;
     }
@@ -135,7 +135,7 @@ template <class LawForm, Turns turns, bool wall>
       if (acting.rolling) {
         Quad* const rolls = task.contacts.roll + at.begin;
         Vectors history = acting.rigid ? Vectors{} : in_plane(vectors(rolls), normal);
-        turning = step_slider(laws.rolling.at(point), acting.rigid, history, first - second, time);
+        turning = step_slider(laws.rolling.at(point), acting.rigid, history, first - second, time, after);
         if (!acting.rigid) put(rolls, history);
         if (at.partly) turning = at.solid * turning;
       }

@@ -190,12 +190,10 @@ inline void exert_all(ForceTask& task) {
   }
 }
 
+inline void find_contacts(ForceTask& task) { task.wall ? meet_wall(task) : meet_spheres(task); }
+
 inline void forces(ForceTask& task) {
-  if (task.wall) {  // few contacts: one loop for all laws of the surfaces
-    meet_wall(task);
-    return exert_all<Turns::all, true>(task);
-  }
-  meet_spheres(task);
+  if (task.wall) return exert_all<Turns::all, true>(task);  // few contacts: one loop for all laws of the surfaces
   const ContactLaws& laws = task.rows[0];
   const bool all_of_it = laws.rolling.acts() || laws.liquid.acts() || (laws.tangential.acts() && laws.arm == TorqueArm::contact);
   if (all_of_it) {

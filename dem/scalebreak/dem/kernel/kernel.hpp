@@ -114,7 +114,8 @@ struct ForceTask {
   const WallView* wall = nullptr;                      ///< null: pairs of spheres
   double length = 1, spin = 1, force = 1, torque = 1;  ///< see MappedLaws
   double radius_share = 1;                             ///< original over scaled radius
-  double history_step = 0;                             ///< by which histories go on [s]; 0: they do not
+  double history_step = 0;                             ///< by which histories go on before the force [s]; 0: they do not
+  double history_after = 0;                            ///< and after it
   bool turns = false;                                  ///< do spheres have spins?
   bool sums_moment = false;
   std::uint32_t own_begin = 0, own_end = 0;  ///< spheres of this thread; others are deferred
@@ -156,7 +157,8 @@ struct SelectTask {
 /// The hot loops for one instruction set.
 struct Kernel {
   const char* name;
-  void (*forces)(ForceTask&);
+  void (*find_contacts)(ForceTask&);  ///< among the near pairs
+  void (*forces)(ForceTask&);         ///< of the contacts
   void (*move)(MoveTask&);
   void (*select)(SelectTask&);
 };

@@ -15,6 +15,6 @@ namespace stdx = std::experimental;
 }  // namespace
 
 extern const Kernel kernel;
-const Kernel kernel{"avx2", forces, move, select};
+const Kernel kernel{"avx2", find_contacts, forces, move, select};
 
 }  // namespace scalebreak::dem::avx2

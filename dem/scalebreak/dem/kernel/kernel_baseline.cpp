@@ -15,6 +15,6 @@ namespace stdx = std::experimental;
 }  // namespace
 
 extern const Kernel kernel;
-const Kernel kernel{"baseline", forces, move, select};
+const Kernel kernel{"baseline", find_contacts, forces, move, select};
 
 }  // namespace scalebreak::dem::baseline

@@ -8,11 +8,11 @@
 // in this order
 #include "contact_loop.hpp"
 
-template <bool turns>
+template <bool turns, bool estimates>
 void push_spheres(const MoveTask& task) {
   const SpheresView& s = task.spheres;
   const double dt = task.step;
-  const Four step = {dt, dt, dt, 0};
+  const Four step = {dt, dt, dt, 0}, ahead_of_step = {1.5 * dt, 1.5 * dt, 1.5 * dt, 0}, gravity = load(task.gravity);
   for (std::uint32_t k = 0; k < task.pushed_count; ++k) {
     if (s.far && k + ahead < task.pushed_count) {
       const std::uint32_t next = task.pushed[k + ahead];
@@ -23,10 +23,12 @@ void push_spheres(const MoveTask& task) {
     const Four velocity = load(s.velocity[i]), gain = load(s.force[i]) * all(velocity[3]);
     store(s.velocity[i], velocity + gain * step);
     store(s.force[i], all(0));
+    if constexpr (estimates) store(task.estimate[i], velocity + (gain + gravity) * ahead_of_step);
     if constexpr (turns) {
       const Four spin = load(s.spin[i]), turned = load(s.torque[i]) * all(spin[3]);
       store(s.spin[i], spin + turned * step);
       store(s.torque[i], all(0));
+      if constexpr (estimates) store(task.estimate_spin[i], spin + turned * ahead_of_step);
     }
   }
 }
@@ -62,33 +64,12 @@ void move_spheres(MoveTask& task) {
   task.fastest_squared = fastest[0] + fastest[1] + fastest[2] + poison[0] + poison[1] + poison[2];
 }
 
-/// The same, of a scene whose dashpots see velocities carried half a step on: all forces are taken from all movers.
-template <bool turns>
-void push_and_estimate(MoveTask& task) {
-  const SpheresView& s = task.spheres;
-  const double dt = task.step;
-  const Four step = {dt, dt, dt, 0}, half = {dt / 2, dt / 2, dt / 2, 0}, gravity = load(task.gravity);
-  for (std::uint32_t k = task.begin; k < task.end; ++k) {
-    const std::uint32_t i = task.movers ? task.movers[k] : k;
-    const Four velocity = load(s.velocity[i]), acceleration = load(s.force[i]) * all(velocity[3]) + gravity;
-    store(s.velocity[i], velocity + load(s.force[i]) * all(velocity[3]) * step);
-    store(s.force[i], all(0));
-    store(task.estimate[i], velocity + acceleration * step + acceleration * half);
-    if constexpr (turns) {
-      const Four spin = load(s.spin[i]), turned = load(s.torque[i]) * all(spin[3]);
-      store(s.spin[i], spin + turned * step);
-      store(s.torque[i], all(0));
-      store(task.estimate_spin[i], spin + turned * step + turned * half);
-    }
-  }
-}
-
 inline void move(MoveTask& task) {
   const bool turns = task.spheres.spin != nullptr;
   if (task.estimate) {
-    turns ? push_and_estimate<true>(task) : push_and_estimate<false>(task);
+    turns ? push_spheres<true, true>(task) : push_spheres<false, true>(task);
   } else {
-    turns ? push_spheres<true>(task) : push_spheres<false>(task);
+    turns ? push_spheres<true, false>(task) : push_spheres<false, false>(task);
   }
   const Quad& g = task.gravity;
   g.x != 0 || g.y != 0 || g.z != 0 ? move_spheres<true>(task) : move_spheres<false>(task);

@@ -48,12 +48,14 @@ StepChoice choose_step(const Input& input, const StepScene& scene, const TableSt
   const StepBound bound = critical_steps(setup, smallest, choice.contact.time).front();
   choice.bound = bound.name, choice.bound_step = bound.step;
   choice.asked = input.run.step_fraction * rayleigh_step(setup, smallest);
-  choice.step = std::min(choice.asked, bound.step);
-  choice.limit = choice.asked <= bound.step ? "step_fraction" : bound.name;
-  if (choice.asked > bound.step)
+  const bool beyond = choice.asked > bound.step, bounded = beyond && input.run.step_bounds;
+  choice.step = bounded ? bound.step : choice.asked;
+  choice.limit = bounded ? bound.name : "step_fraction";
+  if (beyond)
     choice.warning = fmt::format(
-        "run.step_fraction = {:g} of the Rayleigh time is a step of {:.3g} s, beyond the bound of the {}, {:.3g} s, which is taken instead",
-        input.run.step_fraction, choice.asked, bound.name, bound.step);
+        "run.step_fraction = {:g} of the Rayleigh time is a step of {:.3g} s, beyond the bound of the {}, {:.3g} s, {}",
+        input.run.step_fraction, choice.asked, bound.name, bound.step,
+        bounded ? "which is taken instead" : "and is taken all the same, as run.step_bounds = false has it");
   return choice;
 }
 

@@ -22,7 +22,7 @@ struct StepScene {
 /// The same without a start, from the sizes that are expected. Not of a flow that starts from a file.
 [[nodiscard]] StepScene expected_step_scene(const Input& input);
 
-/// The step of the soft-sphere engine: step_fraction × Rayleigh's, unless that exceeds a bound (dem/critical_step.hpp).
+/// The step of the soft-sphere engine: step_fraction × Rayleigh's, unless that exceeds a bound (dem/critical_step.hpp) and step_bounds holds.
 struct StepChoice {
   double step = 0;           ///< [s]
   double asked = 0;          ///< step_fraction × Rayleigh's [s]

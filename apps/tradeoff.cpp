@@ -1,0 +1,98 @@
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include <scalebreak/ensembles/run/run_estimate.hpp>
+#include <scalebreak/ensembles/tradeoff/tradeoff_files.hpp>
+#include <scalebreak/ensembles/tradeoff/tradeoff_json.hpp>
+
+#include "command.hpp"
+
+namespace scalebreak::apps {
+namespace {
+
+/// Of a stiff contact, in Rayleigh times.
+constexpr double steps_per_collision = 7;
+
+std::string title_of(const Options& options) {
+  return options.files.empty() ? "defaults" : std::filesystem::path(options.files.front()).stem().string();
+}
+
+std::string estimate(const Options& options, Input input) {
+  if (!input.flow) {
+    double steps = 0;
+    for (const double fraction : input.tradeoff.step_fractions) steps += 2 * steps_per_collision / fraction;
+    steps *= static_cast<double>(input.tradeoff.phases);
+    return fmt::format("{:.2g} steps of a pair, about {:.1g} s, below 20 MB; more where a bridge lasts or run.duration is long", steps,
+                       1e-6 * steps);
+  }
+  const double methods = input.tradeoff.methods.empty() ? 2 : static_cast<double>(input.tradeoff.methods.size());
+  double seconds = 0, bytes = 0;
+  for (const double fraction : input.tradeoff.step_fractions) {
+    input.run.step_fraction = fraction, input.run.step_bounds = false;
+    const RunEstimate e = estimate_run(input, options.cores());
+    seconds += methods * e.seconds, bytes = std::max(bytes, e.bytes);
+  }
+  return fmt::format("{:.0f} flows, about {:.2g} s on {} threads, {:.2g} MB",
+                     methods * static_cast<double>(input.tradeoff.step_fractions.size()), seconds, options.cores(), bytes / 1e6);
+}
+
+void print(const CollisionTradeoff& study) {
+  fmt::print("{:<20} {:>9} {:>10} {:>10} {:>10} {:>10} {:>12} {:>10}\n", "method", "setting", "error rms", "largest", "energy", "time rms",
+             "evaluations", "wall [us]");
+  for (const CollisionPoint& p : study.points) {
+    fmt::print("{:<20} {:>9g} {:>10.2e} {:>10.2e} {:>+10.1e} {:>10} {:>12.1f} {:>10.1f}{}{}\n",
+               method_words[static_cast<std::size_t>(p.method)], p.setting, p.motion_rms, p.motion_largest, p.energy_mean,
+               p.time_rms ? fmt::format("{:.2e}", *p.time_rms) : "-", p.force_evaluations, 1e6 * p.seconds,
+               p.on_front ? "  on the front" : "", p.unparted > 0 ? fmt::format("  {} of {} did not part", p.unparted, p.phases) : "");
+  }
+  for (const CollisionConvergence& c : study.convergence) {
+    const CollisionMethod& method = collision_methods()[static_cast<std::size_t>(c.method)];
+    fmt::print("{:<20} {}; contact time: {}\n", method.name(), in_words(c.motion, method.setting),
+               in_words(c.contact_time, method.setting));
+  }
+}
+
+void print(const FlowTradeoff& study) {
+  const FlowPoint& reference = study.points[study.reference];
+  fmt::print("beside {} at a step fraction of {:g}\n", method_words[static_cast<std::size_t>(reference.method)], reference.step_fraction);
+  for (const FlowPoint& p : study.points) {
+    if (&p == &reference) continue;
+    fmt::print("{} at {:g}, {:.3g} force evaluations, {:.3g} s{}\n", method_words[static_cast<std::size_t>(p.method)], p.step_fraction,
+               p.force_evaluations, p.seconds, p.on_front ? ", on the front" : "");
+    for (const Comparison& c : p.deviations) fmt::print("  {}\n", sentence(c));
+  }
+}
+
+template <class Study>
+void report(const Options& options, const Input& input, const Study& study) {
+  if (!options.out.empty()) {
+    for (const std::string& plot : write_tradeoff(study, title_of(options), options.out))
+      options.say(plot + " was not drawn: gnuplot is missing or failed; its script is kept in " + options.out);
+  }
+  deliver(options, input, "tradeoff", tradeoff_json(study));
+  if (!options.json) print(study);
+}
+
+}  // namespace
+
+void add_tradeoff(CLI::App& app, Options& options, std::function<void()>& job) {
+  CLI::App* command = app.add_subcommand(
+      "tradeoff", "accuracy against cost of the methods, measured, on the scene's collision or flow: order of convergence, front, plots");
+  add_options(*command, options);
+  command->callback([&] {
+    job = [&options] {
+      options.either = true;
+      if (answered_early(options, [&](const Input& input) { return estimate(options, input); })) return;
+      const Input input = options.input();
+      const auto progress = options.progress("measuring");
+      if (input.flow) {
+        report(options, input, flow_tradeoff(input, options.cores(), progress));
+      } else {
+        report(options, input, collision_tradeoff(input, progress));
+      }
+    };
+  });
+}
+
+}  // namespace scalebreak::apps

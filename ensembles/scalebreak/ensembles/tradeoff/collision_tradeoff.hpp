@@ -1,0 +1,32 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <scalebreak/ensembles/tradeoff/collision_methods.hpp>
+#include <scalebreak/ensembles/tradeoff/convergence.hpp>
+
+namespace scalebreak {
+
+/// How the errors of a method fall with its setting, over the finer half of the settings at which all runs parted and that are above
+/// the reference's own error.
+struct CollisionConvergence {
+  Method method = Method::exact;
+  ConvergenceOrder motion, contact_time;  ///< NaN where there are fewer than three such settings
+};
+
+/// Accuracy against cost of the methods on one collision.
+struct CollisionTradeoff {
+  double speed = 0;                    ///< that errors are relative to [m/s]
+  std::optional<double> contact_time;  ///< exactly; of a pair [s]
+  double rayleigh_step = 0;            ///< [s]
+  std::vector<CollisionPoint> points;  ///< by method, then in the order of the settings
+  std::vector<CollisionConvergence> convergence;
+};
+
+/// Of the input's pair or bodies, by the methods and settings of [study]. `progress` is told the share that is done. Serial, as it
+/// measures wall times. Throws what `collision_scene` throws.
+[[nodiscard]] CollisionTradeoff collision_tradeoff(const Input& input, const std::function<void(double)>& progress = {});
+
+}  // namespace scalebreak

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <scalebreak/ensembles/tradeoff/collision_tradeoff.hpp>
+#include <scalebreak/ensembles/tradeoff/flow_tradeoff.hpp>
+
+namespace scalebreak {
+
+/// Writes tradeoff.csv, front.csv, plots and index.html into `out`; `title` names the scene. Returns the plots that could not be drawn.
+std::vector<std::string> write_tradeoff(const CollisionTradeoff& study, const std::string& title, const std::filesystem::path& out);
+std::vector<std::string> write_tradeoff(const FlowTradeoff& study, const std::string& title, const std::filesystem::path& out);
+
+/// "error ∝ step_fraction^(1.02 ± 0.03)"; "too few settings to tell".
+[[nodiscard]] std::string in_words(const ConvergenceOrder& order, const std::string& setting);
+
+}  // namespace scalebreak

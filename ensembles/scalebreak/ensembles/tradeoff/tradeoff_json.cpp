@@ -1,0 +1,68 @@
+#include <scalebreak/ensembles/tradeoff/tradeoff_json.hpp>
+
+#include <cmath>
+
+namespace scalebreak {
+namespace {
+
+using nlohmann::json;
+
+json number(double value) { return std::isfinite(value) ? json(value) : json(); }
+json number(const std::optional<double>& value) { return value ? number(*value) : json(); }
+const char* word(Method method) { return method_words[static_cast<std::size_t>(method)]; }
+
+}  // namespace
+
+json tradeoff_json(const CollisionTradeoff& study) {
+  json points = json::array(), orders = json::array();
+  for (const CollisionPoint& p : study.points)
+    points.push_back({{"method", word(p.method)},
+                      {"setting", p.setting},
+                      {"step", p.step > 0 ? json(p.step) : json()},
+                      {"phases", p.phases},
+                      {"unparted", p.unparted},
+                      {"motion_error_rms", number(p.motion_rms)},
+                      {"motion_error_largest", number(p.motion_largest)},
+                      {"energy_gain_mean", number(p.energy_mean)},
+                      {"contact_time_error_rms", number(p.time_rms)},
+                      {"contact_time_error_largest", number(p.time_largest)},
+                      {"force_evaluations", p.force_evaluations},
+                      {"wall_seconds", p.seconds},
+                      {"on_front", p.on_front}});
+  for (const CollisionConvergence& c : study.convergence)
+    orders.push_back({{"method", word(c.method)},
+                      {"order", number(c.motion.order)},
+                      {"order_error", number(c.motion.error)},
+                      {"contact_time_order", number(c.contact_time.order)},
+                      {"contact_time_order_error", number(c.contact_time.error)}});
+  return {{"speed", study.speed},
+          {"contact_time", number(study.contact_time)},
+          {"rayleigh_step", study.rayleigh_step},
+          {"points", points},
+          {"convergence", orders}};
+}
+
+json tradeoff_json(const FlowTradeoff& study) {
+  json points = json::array();
+  for (const FlowPoint& p : study.points) {
+    json deviations = json::object();
+    for (const Comparison& c : p.deviations)
+      deviations[c.name] = {{"value", number(c.second.value)},
+                            {"error", number(c.second.error)},
+                            {"relative", number(c.relative.value)},
+                            {"relative_error", number(c.relative.error)}};
+    points.push_back({{"method", word(p.method)},
+                      {"step_fraction", p.step_fraction},
+                      {"step", p.step},
+                      {"force_evaluations", number(p.force_evaluations)},
+                      {"particle_steps", p.particle_steps},
+                      {"wall_seconds", p.seconds},
+                      {"largest_deviation", number(p.largest)},
+                      {"largest_deviation_error", number(p.largest_error)},
+                      {"deviations", deviations},
+                      {"on_front", p.on_front}});
+  }
+  return {{"reference", study.reference}, {"points", points}};
+}
+
+}  // namespace scalebreak

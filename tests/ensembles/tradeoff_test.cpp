@@ -1,0 +1,139 @@
+#include <algorithm>
+#include <cmath>
+
+#include <gmock/gmock.h>
+
+#include <ensembles/flows.hpp>
+#include <lib/resolving.hpp>
+#include <scalebreak/ensembles/tradeoff/collision_tradeoff.hpp>
+#include <scalebreak/ensembles/tradeoff/flow_tradeoff.hpp>
+#include <scalebreak/ensembles/tradeoff/front.hpp>
+#include <scalebreak/ensembles/tradeoff/stepped_collision.hpp>
+
+namespace scalebreak::tests {
+namespace {
+
+using testing::ElementsAre;
+
+TEST(ConvergenceOrder, IsThatOfAPower) {
+  const ConvergenceOrder exact = convergence_order({0.4, 0.2, 0.1, 0.05}, {3 * 0.16, 3 * 0.04, 3 * 0.01, 3 * 0.0025});
+  EXPECT_NEAR(exact.order, 2, 1e-12);
+  EXPECT_NEAR(exact.error, 0, 1e-7);
+  const ConvergenceOrder scattered = convergence_order({0.4, 0.2, 0.1, 0.05}, {0.5, 0.19, 0.11, 0.048});
+  EXPECT_NEAR(scattered.order, 1, 3 * scattered.error);
+  EXPECT_GT(scattered.error, 0.01);
+  EXPECT_TRUE(std::isnan(convergence_order({0.4, 0.2}, {1, 0.5}).order));
+}
+
+TEST(Front, HoldsWhatNothingBeats) {
+  EXPECT_THAT(on_front({1, 2, 3, 2.5}, {9, 4, 1, 5}), ElementsAre(true, true, true, false));
+  EXPECT_THAT(on_front({1, 1, 2}, {3, 3, 3}), ElementsAre(true, true, false));
+}
+
+/// Glass spheres, elastic, without adhesion: a collision whose exact outcome is known without any engine.
+Input elastic() {
+  Input input;
+  input.contact = canonical({.normal = NormalModel::hertz});
+  for (Material* material : {&input.material, &input.second}) material->surface_energy = 0, material->restitution = 1;
+  input.tradeoff = {.methods = {}, .step_fractions = {0.2, 0.1, 0.05, 0.025}, .tolerances = {1e-4, 1e-6, 1e-8}, .phases = 8};
+  return input;
+}
+
+TEST(CollisionScene, ErrorsAreThoseOfVelocitiesOverTheImpactSpeed) {
+  const CollisionScene scene = collision_scene(elastic());
+  EXPECT_DOUBLE_EQ(scene.speed, 0.1);
+  CollisionOutcome outcome{.bodies = scene.reference.bodies, .contact_time = 1.01 * scene.reference.last_separation};
+  outcome.bodies[1].velocity.x() += 0.002;
+  outcome.bodies[0].spin.y() += 2;  // times 0.5 mm
+  const CollisionError error = collision_error(scene, outcome);
+  EXPECT_NEAR(error.motion, 0.02, 1e-12);
+  EXPECT_NEAR(*error.contact_time, 0.01, 1e-9);
+  EXPECT_GT(error.energy, 0);
+}
+
+TEST(CollisionScene, RefusesWhatHasNoEnd) {
+  Input sticking;
+  sticking.normal_speed = 1e-4;
+  EXPECT_EQ(message_of<InputError>([&] { (void)collision_scene(sticking); }),
+            "the bodies stick, so that there is no end to compare; allowed: bodies that part, or [[body]] with run.duration");
+  Input apart = elastic();
+  apart.bodies = {{.position = {0, 0, 2e-3}, .velocity = {0, 0, 1}, .radius = 5e-4}, {.radius = 5e-4}};
+  EXPECT_EQ(message_of<InputError>([&] { (void)collision_scene(apart); }), "nothing collides in this scene; allowed: bodies that meet");
+  Input fixed = elastic();
+  fixed.bodies = {{.position = {0, 0, 2e-3}, .velocity = {0, 0, -1}, .radius = 5e-4}, {.radius = 5e-4, .fixed = true}};
+  EXPECT_EQ(message_of<InputError>([&] { (void)step_collision(collision_scene(fixed), Integrator::verlet, 1e-7, 0); }),
+            "body.2 is fixed, and the soft-sphere engine has no fixed spheres; allowed: free bodies");
+}
+
+TEST(SteppedCollision, CountsAForceForEachStepOfTheContact) {
+  const CollisionScene scene = collision_scene(elastic());
+  const double contact_time = scene.reference.last_separation;
+  const CollisionOutcome outcome = step_collision(scene, Integrator::verlet, contact_time / 50.5, 0.5);
+  EXPECT_NEAR(outcome.force_evaluations, 50.5, 1);
+  EXPECT_TRUE(outcome.parted);
+  EXPECT_NEAR(*outcome.contact_time / contact_time, 1, 1e-3);
+  Input wall = elastic();
+  wall.against_wall = true, wall.radius = {5e-4};
+  const CollisionScene at_wall = collision_scene(wall);
+  EXPECT_NEAR(step_collision(at_wall, Integrator::verlet, at_wall.reference.last_separation / 50.5, 0.5).force_evaluations, 50.5, 1);
+}
+
+/// Near the sticking speed coarse steps lose so much that the pair sticks.
+TEST(SteppedCollision, SaysWhatDidNotPart) {
+  Input input;
+  input.normal_speed = 1.35e-3;  // a little above its sticking speed
+  const CollisionScene scene = collision_scene(input);
+  int unparted = 0;
+  for (int k = 0; k < 16; ++k) unparted += !step_collision(scene, Integrator::verlet, step_of(scene, 2), (k + 0.5) / 16).parted;
+  EXPECT_GT(unparted, 0);
+}
+
+TEST(CollisionTradeoff, FindsOrdersAndTheFront) {
+  double share = 0;
+  const CollisionTradeoff study = collision_tradeoff(elastic(), [&](double done) { share = done; });
+  EXPECT_EQ(share, 1);
+  ASSERT_EQ(study.points.size(), 4u + 4u + 3u);
+  EXPECT_NEAR(*study.contact_time, collision_scene(elastic()).reference.last_separation, 1e-18);
+  for (const CollisionConvergence& c : study.convergence) {
+    if (c.method == Method::exact) continue;
+    EXPECT_TRUE(std::isnan(c.motion.order));  // of four settings the finer two are too few
+  }
+  for (const CollisionPoint& p : study.points) {
+    EXPECT_LE(p.motion_rms, p.motion_largest * (1 + 1e-12));
+    EXPECT_GT(p.force_evaluations, 0);
+    EXPECT_EQ(p.unparted, 0);
+  }
+  for (const CollisionPoint& p : study.points) {
+    const bool beaten = std::any_of(study.points.begin(), study.points.end(), [&](const CollisionPoint& q) {
+      return q.motion_rms < p.motion_rms && q.force_evaluations < p.force_evaluations;
+    });
+    EXPECT_FALSE(p.on_front && beaten);
+  }
+  EXPECT_GE(std::count_if(study.points.begin(), study.points.end(), [](const CollisionPoint& p) { return p.on_front; }), 3);
+  Input one = elastic();
+  one.tradeoff.methods = {Method::verlet};
+  EXPECT_EQ(collision_tradeoff(one).points.size(), 4u);
+}
+
+TEST(FlowTradeoff, ComparesEachStepWithTheSmallest) {
+  Input input = resolved(small_shear);
+  input.run.strain = 0.6;
+  input.tradeoff.methods = {Method::synchronized};
+  input.tradeoff.step_fractions = {0.3, 0.15};
+  const FlowTradeoff study = flow_tradeoff(input, 1);
+  ASSERT_EQ(study.points.size(), 2u);
+  EXPECT_EQ(study.reference, 1u);
+  const FlowPoint &coarse = study.points[0], &fine = study.points[1];
+  EXPECT_NEAR(fine.particle_steps / coarse.particle_steps, 2, 0.1);
+  EXPECT_NEAR(fine.force_evaluations / coarse.force_evaluations, 2, 0.6);
+  ASSERT_EQ(fine.deviations.size(), tradeoff_quantities().size());
+  for (const Comparison& c : fine.deviations) EXPECT_EQ(c.difference.value, 0) << c.name;
+  for (const Comparison& c : coarse.deviations) EXPECT_NE(c.difference.value, 0) << c.name;
+  EXPECT_FALSE(fine.on_front);
+  input.tradeoff.methods = {Method::exact};
+  EXPECT_EQ(message_of<InputError>([&] { (void)flow_tradeoff(input, 1); }),
+            "study.methods: found none that follows a flow; allowed: verlet, synchronized");
+}
+
+}  // namespace
+}  // namespace scalebreak::tests
