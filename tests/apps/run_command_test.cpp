@@ -99,11 +99,19 @@ TEST_F(RunCommand, SaysWhereTheContactTimeCameFromAndWhyThereIsNoDrift) {
   EXPECT_EQ(j["collision_speed_of"], "speed at the start");
   EXPECT_TRUE(j["energy_drift"].is_null());
   EXPECT_THAT(j["energy_drift_missing"].get<std::string>(), HasSubstr("friction"));
-  const json mapped = run({"run", file, "--set", "scaling.law=sup", "--set", "scaling.factor=2", "--tables", tables, "--json", "--quiet"}).json();
+  const json mapped =
+      run({"run", file, "--set", "scaling.law=sup", "--set", "scaling.factor=2", "--tables", tables, "--json", "--quiet"}).json();
   EXPECT_EQ(mapped["contact_time_from"], "exact collision, as the direct-force law sup has no table");
-  const json elastic = run({"run", file, "--set", "contact.tangential=none", "--set", "contact.normal=hertz", "--set", "material.restitution=1", "--set",
-                            "cell.kind=cooling", "--set", "run.strain=0", "--set", "run.warmup_strain=0", "--set", "run.duration=0.01", "--tables", tables,
-                            "--json", "--quiet"})
+  const json elastic = run({"run",      file,
+                            "--set",    "contact.tangential=none",
+                            "--set",    "contact.normal=hertz",
+                            "--set",    "material.restitution=1",
+                            "--set",    "cell.kind=cooling",
+                            "--set",    "run.strain=0",
+                            "--set",    "run.warmup_strain=0",
+                            "--set",    "run.duration=0.01",
+                            "--tables", tables,
+                            "--json",   "--quiet"})
                            .json();
   EXPECT_TRUE(elastic["energy_drift_missing"].is_null()) << elastic["energy_drift_missing"];
   EXPECT_TRUE(elastic["energy_drift"].is_number());

@@ -39,7 +39,8 @@ TEST(StepChoice, KnowsTheContactTimeOfHertz) {
   const NormalPair pair = sphere_pair(input.material, radius, input.material, radius);
   // Reference: δ_max = (15/16)^{2/5} (m* v²/(E* √R*))^{2/5}, t_c = 2.9432752 δ_max / v.
   const double deepest = std::pow(15.0 / 16 * pair.mass * speed * speed / (pair.young * std::sqrt(pair.radius)), 0.4);
-  EXPECT_NEAR(choose_step(input, {.smallest = {radius, 0}, .meeting = at(speed)}, nullptr).contact.time, 2.9432752 * deepest / speed, 1e-5 * 1e-5);
+  EXPECT_NEAR(choose_step(input, {.smallest = {radius, 0}, .meeting = at(speed)}, nullptr).contact.time, 2.9432752 * deepest / speed,
+              1e-5 * 1e-5);
 }
 
 TEST(StepChoice, TakesTheBoundWhereTheFractionExceedsItAndSaysSo) {
@@ -49,8 +50,9 @@ TEST(StepChoice, TakesTheBoundWhereTheFractionExceedsItAndSaysSo) {
   EXPECT_EQ(choice.step, choice.bound_step);
   EXPECT_LT(choice.step, choice.asked);
   EXPECT_NEAR(choice.step, choice.contact.time / 30, 1e-6 * choice.step);
-  EXPECT_THAT(choice.warning, testing::MatchesRegex("run.step_fraction = 0.9 of the Rayleigh time is a step of [0-9.e-]+ s, beyond the bound "
-                                                    "of the contact time, [0-9.e-]+ s, which is taken instead"));
+  EXPECT_THAT(choice.warning,
+              testing::MatchesRegex("run.step_fraction = 0.9 of the Rayleigh time is a step of [0-9.e-]+ s, beyond the bound "
+                                    "of the contact time, [0-9.e-]+ s, which is taken instead"));
 }
 
 TEST(StepChoice, LooksAtTheFastestCollisionThatOccurs) {

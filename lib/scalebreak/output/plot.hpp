@@ -8,12 +8,12 @@ namespace scalebreak {
 
 /// One curve of a plot, read from a CSV file beside the plot.
 struct Curve {
-  std::string file;       ///< CSV, relative to the plot's folder
-  std::string x, y;       ///< gnuplot expressions of the columns, "1" or "($3/$2)"
-  std::string title;      ///< for the legend, taken as it stands
-  bool points = false;    ///< marks instead of a line
-  int style = 0;          ///< colour and mark; 0 is black, for what the others are compared with
-  std::string only = {};  ///< a gnuplot condition on the columns, "strcol(1) eq 'rps'"; empty: every row
+  std::string file;        ///< CSV, relative to the plot's folder
+  std::string x, y;        ///< gnuplot expressions of the columns, "1" or "($3/$2)"
+  std::string title;       ///< for the legend, taken as it stands
+  bool points = false;     ///< marks instead of a line
+  int style = 0;           ///< colour and mark; 0 is black, for what the others are compared with
+  std::string only = {};   ///< a gnuplot condition on the columns, "strcol(1) eq 'rps'"; empty: every row
   std::string error = {};  ///< of marks: a gnuplot expression by which a bar goes up and down; empty: no bar
 };
 

@@ -138,7 +138,8 @@ std::vector<Key> make_keys() {
         for (const Integrator integrator : input.study_integrators) chosen.push_back(static_cast<std::size_t>(integrator));
         return chosen;
       }));
-  list.push_back(number("study", "energy_growth", "-", "relative growth of energy per collision of each sphere up to which a step counts as stable",
+  list.push_back(number("study", "energy_growth", "-",
+                        "relative growth of energy per collision of each sphere up to which a step counts as stable",
                         [](Input& input) -> double& { return input.study_energy_growth; }));
   list.push_back(choices(
       "study", "methods", "of tradeoff: what is compared; empty: all that suit the scene", words_of(method_words), 0, std::size(method_words),
