@@ -229,7 +229,7 @@ TEST(InputMessage, UnknownKeyWithASuggestion) {
   EXPECT_THAT(sentence_for("[contact]\nroling = \"cdt\"\n"), HasSubstr("(did you mean contact.rolling?)"));
   EXPECT_EQ(sentence_for("[run]\nduraton = 1\n"),
             "scene.toml, line 2: run.duraton: there is no such key (did you mean run.duration?); allowed: run.duration, run.strain, "
-            "run.warmup_duration, run.warmup_strain, run.seed, run.step_fraction, run.replicas, run.integrator");
+            "run.warmup_duration, run.warmup_strain, run.seed, run.step_fraction, run.step_bounds, run.replicas, run.integrator");
   EXPECT_EQ(sentence_for("", {"pair.radii=[1e-3,1e-3]"}),
             "--set pair.radii=[1e-3,1e-3]: pair.radii: there is no such key (did you mean pair.radius?); allowed: pair.radius, "
             "pair.partner");

@@ -248,7 +248,7 @@ TEST(Keys, WholeNumbersHaveNoFraction) {
     key.set(input, 3.0);
     EXPECT_EQ(key.get(input), Value(3.0)) << key.dotted();
   }
-  EXPECT_EQ(whole, 3);
+  EXPECT_EQ(whole, 4);
 }
 
 TEST(Keys, ArraysOfWordsTakeTheirWordsAndNoOther) {
@@ -266,7 +266,7 @@ TEST(Keys, ArraysOfWordsTakeTheirWordsAndNoOther) {
     EXPECT_EQ(refused(key, some), "found " + to_toml(Value(some))) << key.dotted();
     EXPECT_EQ(refused(key, words.front()), "found \"" + words.front() + "\"") << key.dotted();
   }
-  EXPECT_EQ(lists, 5);
+  EXPECT_EQ(lists, 6);
 }
 
 TEST(Keys, ThoseOfABodyGoToThatBody) {

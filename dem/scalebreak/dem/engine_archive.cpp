@@ -61,7 +61,7 @@ void put_pairs(Archive& archive, Pairs& pairs) {
   archive.one(pairs.near_count), archive.list(pairs.near_first), archive.list(pairs.near_second);
   archive.one(contacts.count), archive.one(contacts.sorted), archive.one(contacts.slides), archive.one(contacts.rolls);
   archive.list(contacts.first), archive.list(contacts.second), archive.list(contacts.state), archive.list(contacts.begun);
-  archive.list(contacts.row), archive.list(contacts.slide), archive.list(contacts.roll);
+  archive.list(contacts.row), archive.list(contacts.slide.values()), archive.list(contacts.roll.values());
 }
 
 }  // namespace

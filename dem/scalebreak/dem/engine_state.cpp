@@ -132,10 +132,10 @@ double Dem::Engine::energy_of_springs() const {
             point.overlap_root = std::sqrt(std::sqrt(laws.radius * std::max(overlap, 0.0)));
           },
           laws.normal);
-      if (contacts.slides) energy += scale / 2 * laws.tangential.at(point).stiffness * vector(contacts.slide[k]).squaredNorm();
+      if (contacts.slides) energy += scale / 2 * laws.tangential.at(point).stiffness * vector(contacts.slide.get(k)).squaredNorm();
       if (!contacts.rolls) continue;
       const SliderLaw rolling = laws.rolling.at(point);
-      const double square = vector(contacts.roll[k]).squaredNorm();
+      const double square = vector(contacts.roll.get(k)).squaredNorm();
       if (rolling.stiffness > 0) energy += scale / 2 * (rolling.incremental ? square / rolling.stiffness : square * rolling.stiffness);
     }
   };

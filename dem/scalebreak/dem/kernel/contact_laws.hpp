@@ -109,7 +109,6 @@ template <class LawForm, Turns turns, bool wall>
   if constexpr (turns == Turns::none) {
     out.force = along * normal;
   } else {
-    Quad* const slides = task.contacts.slide + at.begin;
     Vectors speed = motion.velocity - approach * normal, first, second, across;
     Pack arm1, arm2;
     if constexpr (turns == Turns::sliding) {
@@ -122,9 +121,9 @@ template <class LawForm, Turns turns, bool wall>
       speed = speed + arm1 * first + arm2 * second;
     }
     if (turns == Turns::sliding || acting.friction) {
-      Vectors history = in_plane(vectors(slides), normal);
+      Vectors history = in_plane(histories(task.contacts.slide, at.begin), normal);
       across = step_slider(laws.friction.at(point), false, history, speed, time, after);
-      put(slides, history);
+      put(task.contacts.slide, at.begin, history);
       if (at.partly) across = at.solid * across;
     }
     if constexpr (turns == Turns::sliding) {
@@ -133,10 +132,9 @@ template <class LawForm, Turns turns, bool wall>
     } else {
       Vectors turning;
       if (acting.rolling) {
-        Quad* const rolls = task.contacts.roll + at.begin;
-        Vectors history = acting.rigid ? Vectors{} : in_plane(vectors(rolls), normal);
+        Vectors history = acting.rigid ? Vectors{} : in_plane(histories(task.contacts.roll, at.begin), normal);
         turning = step_slider(laws.rolling.at(point), acting.rigid, history, first - second, time, after);
-        if (!acting.rigid) put(rolls, history);
+        if (!acting.rigid) put(task.contacts.roll, at.begin, history);
         if (at.partly) turning = at.solid * turning;
       }
       if (acting.liquid) {

@@ -112,8 +112,9 @@ struct ContactLoop {
     const std::uint8_t now = square < solid_reach * solid_reach ? touching : bridged;
     if (now == *state) return;
     *state = now;
-    if (task.contacts.slide) task.contacts.slide[k] = {};
-    if (task.contacts.roll) task.contacts.roll[k] = {};
+    for (double* const list : {task.contacts.slide, task.contacts.roll}) {
+      if (list) list[history_place(k)] = list[history_place(k) + history_stride] = list[history_place(k) + 2 * history_stride] = 0;
+    }
     if (now == touching) task.tally.starts += wall ? 0.5 : 1.0;
   }
 

@@ -35,6 +35,12 @@ struct NearView {
   std::uint32_t* second = nullptr;  ///< packed; `nowhere` once they have touched
 };
 
+/// Where the x of a contact's history lies: eight contacts have their x side by side, then y, then z, so that packs need no turning.
+inline constexpr std::uint32_t history_stride = 8;
+[[nodiscard]] constexpr std::size_t history_place(std::uint32_t contact) {
+  return static_cast<std::size_t>(contact / history_stride) * 3 * history_stride + contact % history_stride;
+}
+
 /// The pairs that have touched since the list was made, or did before. All lists go on for some places beyond the last contact, so that
 /// whole packs can be read and written.
 struct ContactsView {
@@ -43,8 +49,8 @@ struct ContactsView {
   const std::uint32_t* second = nullptr;  ///< packed
   std::uint8_t* state = nullptr;
   const std::uint32_t* row = nullptr;  ///< of the laws
-  Quad* slide = nullptr;               ///< histories; null where no law has one
-  Quad* roll = nullptr;
+  double* slide = nullptr;             ///< histories, see history_place; null where no law has one
+  double* roll = nullptr;
 };
 
 /// A face that particles touch; `axis` 0 to 2, `side` −1 (lower) or +1.

@@ -66,14 +66,19 @@ template <class P = Pack>
   const Columns c = columns(quads);
   return {c.x, c.y, c.z};
 }
-/// Of neighbouring quads.
-[[gnu::always_inline]] inline Vectors vectors(const Quad* quads) {
-  Four rows[width];
-  each_lane([&](auto k) { rows[k] = load(quads[k]); });
-  return vectors(rows);
+/// Histories of the contacts from k on, a multiple of `width`.
+[[gnu::always_inline]] inline Vectors histories(const double* list, std::uint32_t k) {
+  const double* const x = list + history_place(k);
+  return {Pack(x, stdx::element_aligned), Pack(x + history_stride, stdx::element_aligned), Pack(x + 2 * history_stride, stdx::element_aligned)};
+}
+[[gnu::always_inline]] inline void put(double* list, std::uint32_t k, const Vectors& v) {
+  double* const x = list + history_place(k);
+  v.x.copy_to(x, stdx::element_aligned);
+  v.y.copy_to(x + history_stride, stdx::element_aligned);
+  v.z.copy_to(x + 2 * history_stride, stdx::element_aligned);
 }
 
-/// The other way; w is 0.
+/// Vectors turned into quads; w is 0.
 template <class P = Pack>
 [[gnu::always_inline]] inline void spread(const Vector3Of<P>& v, Four* quads) {
   struct Halves {
@@ -89,9 +94,4 @@ template <class P = Pack>
   } else {
     each_lane([&](auto k) { quads[k] = Four{v.x[k], v.y[k], v.z[k], 0}; });
   }
-}
-[[gnu::always_inline]] inline void put(Quad* quads, const Vectors& v) {
-  Four rows[width];
-  spread(v, rows);
-  each_lane([&](auto k) { store(quads[k], rows[k]); });
 }

@@ -18,18 +18,18 @@ ContactsView Contacts::view() {
           .second = second.data(),
           .state = state.data(),
           .row = row.data(),
-          .slide = slides ? slide.data() : nullptr,
-          .roll = rolls ? roll.data() : nullptr};
+          .slide = slides ? slide.values().data() : nullptr,
+          .roll = rolls ? roll.values().data() : nullptr};
 }
 
 Contact Contacts::get(std::uint32_t k) const {
-  return {first[k], second[k], state[k], row[k], begun[k], slides ? slide[k] : Quad{}, rolls ? roll[k] : Quad{}};
+  return {first[k], second[k], state[k], row[k], begun[k], slides ? slide.get(k) : Quad{}, rolls ? roll.get(k) : Quad{}};
 }
 
 void Contacts::put(std::uint32_t k, const Contact& contact) {
   first[k] = contact.first, second[k] = contact.second, state[k] = contact.state, row[k] = contact.row, begun[k] = contact.begun;
-  if (slides) slide[k] = contact.slide;
-  if (rolls) roll[k] = contact.roll;
+  if (slides) slide.put(k, contact.slide);
+  if (rolls) roll.put(k, contact.roll);
 }
 
 void Contacts::add(const Contact& contact) {
@@ -37,8 +37,8 @@ void Contacts::add(const Contact& contact) {
     const std::size_t room = count + count / 4 + 1 + spare;
     const auto grow = [&](auto& list) { list.reserve(room), list.resize(room); };
     grow(first), grow(second), grow(row), grow(state), grow(begun);
-    if (slides) grow(slide);
-    if (rolls) grow(roll);
+    if (slides) slide.grow(room);
+    if (rolls) roll.grow(room);
   }
   put(count++, contact);
 }
@@ -69,7 +69,7 @@ void Contacts::tidy() {
 
 std::size_t Contacts::bytes() const {
   return (first.capacity() + second.capacity() + row.capacity()) * sizeof(std::uint32_t) + state.capacity() +
-         begun.capacity() * sizeof(double) + (slide.capacity() + roll.capacity()) * sizeof(Quad);
+         begun.capacity() * sizeof(double) + slide.bytes() + roll.bytes();
 }
 
 void Pairs::reserve(std::size_t pairs) {

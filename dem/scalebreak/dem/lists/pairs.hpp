@@ -16,12 +16,34 @@ struct Contact {
   Quad slide, roll;
 };
 
+/// Vectors in the order that the kernel reads them in (see history_place).
+class Histories {
+ public:
+  void grow(std::size_t contacts) {
+    const std::size_t size = (contacts + history_stride - 1) / history_stride * 3 * history_stride;
+    values_.reserve(size), values_.resize(size);
+  }
+  [[nodiscard]] Quad get(std::uint32_t k) const {
+    const double* const x = values_.data() + history_place(k);
+    return {x[0], x[history_stride], x[2 * history_stride], 0};
+  }
+  void put(std::uint32_t k, const Quad& v) {
+    double* const x = values_.data() + history_place(k);
+    x[0] = v.x, x[history_stride] = v.y, x[2 * history_stride] = v.z;
+  }
+  [[nodiscard]] std::vector<double>& values() { return values_; }
+  [[nodiscard]] std::size_t bytes() const { return values_.capacity() * sizeof(double); }
+
+ private:
+  std::vector<double> values_;
+};
+
 /// The contacts of a list, as the kernel works on them.
 struct Contacts {
   std::vector<std::uint32_t> first, second, row;
   std::vector<std::uint8_t> state;
   std::vector<double> begun;
-  std::vector<Quad> slide, roll;
+  Histories slide, roll;
   std::uint32_t count = 0, sorted = 0;  ///< so many of them are in the order of their first spheres
   bool slides = false, rolls = false;   ///< do they remember these?
 
