@@ -124,7 +124,7 @@ class Dem::Engine {
   // engine_state.cpp
   [[nodiscard]] std::vector<ContactMemory> contact_memories() const;  ///< histories as they are kept
   [[nodiscard]] std::int32_t second_of(const dem::Contact& contact, const dem::WallView* wall) const;
-  [[nodiscard]] double energy_of_springs() const;                      ///< with histories as they are kept [J]
+  [[nodiscard]] double energy_of_springs() const;  ///< with histories as they are kept [J]
   template <class Archive>
   void archive_head(Archive& archive);
   template <class Archive>

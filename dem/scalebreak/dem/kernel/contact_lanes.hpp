@@ -8,13 +8,14 @@ enum class Turns { none, sliding, all };
 /// `width` contacts that follow each other in the list. Lanes beyond its end repeat the last.
 struct ContactLanes {
   std::uint32_t begin, count;
-  std::uint32_t first[width], second[width], row[width];
-  Vectors between;           ///< from the first centre to the second
-  Pack touch;                ///< sum of the radii
-  Pack square, inverse;      ///< of the distance of the centres
-  Pack overlap, coordinate;  ///< of the original pair
-  Pack solid, acts;          ///< 1 where solids touch, where anything acts; else 0
-  bool partly;               ///< is one of them 0 somewhere?
+  const std::uint32_t *first, *second, *row;
+  std::uint32_t tail[3 * width];  ///< where these lie, if they are filled up
+  Vectors between;                ///< from the first centre to the second
+  Pack touch;                     ///< sum of the radii
+  Pack square, inverse;           ///< of the distance of the centres
+  Pack overlap, coordinate;       ///< of the original pair
+  bool partly;                    ///< does something not act everywhere?
+  Pack solid, acts;               ///< then 1 where solids touch, where anything acts; else 0
 };
 
 /// How they move past each other.
@@ -29,11 +30,13 @@ struct Motion {
 [[gnu::always_inline]] inline void number(const ForceTask& task, std::uint32_t k, ContactLanes& at) {
   const ContactsView& contacts = task.contacts;
   at.begin = k, at.count = contacts.count - k < width ? contacts.count - k : width;
-  each_lane([&](auto lane) {
-    const std::uint32_t c = k + (lane < at.count ? static_cast<std::uint32_t>(lane) : at.count - 1);
-    at.first[lane] = contacts.first[c], at.second[lane] = contacts.second[c];
-    if (!task.one_row) at.row[lane] = contacts.row[c];
-  });
+  at.first = contacts.first + k, at.second = contacts.second + k, at.row = contacts.row + k;
+  if (at.count == width) return;
+  for (std::uint32_t lane = 0; lane < width; ++lane) {
+    const std::uint32_t c = lane < at.count ? lane : at.count - 1;
+    at.tail[lane] = at.first[c], at.tail[width + lane] = at.second[c], at.tail[2 * width + lane] = at.row[c];
+  }
+  at.first = at.tail, at.second = at.tail + width, at.row = at.tail + 2 * width;
 }
 
 /// How the centres lie to each other.

@@ -139,13 +139,13 @@ template <class LawForm, Turns turns, bool wall>
       }
       if (acting.liquid) {
         const LiquidOf<Pack>& liquid = laws.liquid;
-        const Pack separation = max(-depth, liquid.separation_min);
-        along += at.acts * (liquid.normal_drag(separation) * approach - liquid.capillary_force(separation));
+        const Pack separation = max(-depth, liquid.separation_min), acts = at.partly ? at.acts : Pack(1);
+        along += acts * (liquid.normal_drag(separation) * approach - liquid.capillary_force(separation));
         if (liquid.viscous) {
           const Vectors centres = motion.velocity - approach * normal;
           const Pack radius1 = task.radius_share * motion.radius1, radius2 = task.radius_share * motion.radius2;
-          across = across + at.acts * (liquid.tangential_drag(separation) * centres +
-                                       liquid.rolling_drag(separation) * (radius1 * first + radius2 * second));
+          across = across + acts * (liquid.tangential_drag(separation) * centres +
+                                    liquid.rolling_drag(separation) * (radius1 * first + radius2 * second));
         }
       }
       const Pack torque(-task.torque);

@@ -66,7 +66,6 @@ struct ContactLoop {
   [[gnu::always_inline]] bool look(ContactLanes& at, const Pack& square) {
     const std::uint8_t* const state = task.contacts.state + at.begin;
     at.partly = false;
-    at.solid = at.acts = Pack(1);
     if (at.count == width && !task.bridge) {
       const Pack reach = at.touch + (task.one_row ? Pack(task.hold[0]) : Pack([&](auto lane) { return task.hold[at.row[lane]]; }));
       bool known = true;
@@ -86,7 +85,7 @@ struct ContactLoop {
     for (std::uint32_t lane = 0; lane < at.count; ++lane) {
       const std::uint32_t k = at.begin + lane;
       settle(k, square[lane], at.touch[lane]);
-      if (!task.one_row) at.row[lane] = task.contacts.row[k];
+      if (at.row == at.tail + 2 * width) at.tail[2 * width + lane] = task.contacts.row[k];
       const std::uint8_t state = task.contacts.state[k];
       solid[lane] = state == touching ? 1.0 : 0.0, acts[lane] = state != apart ? 1.0 : 0.0;
       task.tally.touches += state == touching ? 1.0 : 0.0;
@@ -166,7 +165,7 @@ struct ContactLoop {
       if constexpr (wall) {
         const Quad& velocity = task.wall->velocity;
         task.tally.wall_power -= force.x * velocity.x + force.y * velocity.y + force.z * velocity.z;
-        if (task.wall->stops_spin && task.turns && at.solid[lane] != 0) stop_spin(at.first[lane]);
+        if (task.wall->stops_spin && task.turns && (!at.partly || at.solid[lane] != 0)) stop_spin(at.first[lane]);
       }
       if (!task.contact_force) continue;
       task.contact_force[at.begin + lane] = force;

@@ -69,7 +69,8 @@ template <class P = Pack>
 /// Histories of the contacts from k on, a multiple of `width`.
 [[gnu::always_inline]] inline Vectors histories(const double* list, std::uint32_t k) {
   const double* const x = list + history_place(k);
-  return {Pack(x, stdx::element_aligned), Pack(x + history_stride, stdx::element_aligned), Pack(x + 2 * history_stride, stdx::element_aligned)};
+  return {Pack(x, stdx::element_aligned), Pack(x + history_stride, stdx::element_aligned),
+          Pack(x + 2 * history_stride, stdx::element_aligned)};
 }
 [[gnu::always_inline]] inline void put(double* list, std::uint32_t k, const Vectors& v) {
   double* const x = list + history_place(k);
