@@ -1,4 +1,4 @@
-#include <chrono>
+#include <ctime>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -19,10 +19,10 @@ int main(int argc, char** argv) {
   flow.advance_collisions(long(n) * 5);
   const long l0 = flow.totals().lists, s0 = flow.totals().stale; 
   const auto q0 = flow.queue_operations();
-  const auto start = std::chrono::steady_clock::now();
+  const std::clock_t start = std::clock();
   const long c = argc > 4 ? std::atol(argv[4]) : 1000000;
   flow.advance_collisions(c);
-  const double t = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const double t = double(std::clock() - start) / CLOCKS_PER_SEC;
   std::printf("phi %g allowance %g: %.3g collisions/s, lists/coll %.3f stale %.3f queue ops %.2f neighbours %.2f\n", phi, allowance, double(c) / t, double(flow.totals().lists - l0) / double(c),
               double(flow.totals().stale - s0) / double(c), double(flow.queue_operations() - q0) / double(c), flow.mean_neighbours());
 }

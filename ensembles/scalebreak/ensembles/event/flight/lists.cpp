@@ -105,8 +105,7 @@ void make_lists(Flight& flight) {
     flight.agenda[i].reach = flight.sphere[i].radius + flight.allowance;
     flight.largest_reach = std::max(flight.largest_reach, flight.agenda[i].reach);
   }
-  constexpr double reach_over_edge = 1;
-  flight.bins = ReferenceBins(flight.cell, 2 * flight.largest_reach / reach_over_edge, flight.sphere.size());
+  flight.bins = ReferenceBins(flight.cell, flight.sphere.size());
   flight.pool.clear();
   for (std::uint32_t i = 0; i < flight.sphere.size(); ++i) {
     flight.agenda[i].start = 0, flight.agenda[i].count = 0, flight.agenda[i].capacity = 0;
