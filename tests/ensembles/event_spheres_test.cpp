@@ -165,6 +165,13 @@ void expect_one_path(const System& start, const EventSetup& setup, const Rule& r
   EXPECT_EQ(fast.totals().collisions, plain.totals().collisions);
   expect_same(fast.system(), plain.system());
   expect_same(fast.system(), looked_at.system());
+  EventSpheres<CalendarQueue, Rule> left(start, setup, rule);
+  left.advance_to(0.37 * time);
+  EventSpheres<CalendarQueue, Rule> resumed(left.save(), setup, rule);
+  resumed.advance_to(time);
+  expect_same(fast.system(), resumed.system());
+  EXPECT_EQ(fast.totals().contact_moment, resumed.totals().contact_moment);
+  EXPECT_EQ(fast.totals().lists, resumed.totals().lists);
 }
 
 TEST(EventSpheresAreTheSameBits, InAnElasticGas) {

@@ -64,6 +64,9 @@ class EventSpheres {
   void renew();
   void reorder();
   void watch_for_collapse();
+  /// Everything that is saved and is not a list, the same for both ways.
+  template <class Numbers>
+  void go_through_numbers(Numbers&& number);
   [[nodiscard]] Meeting::Body meeting_body(std::uint32_t i) const;
 
   Flight flight_;

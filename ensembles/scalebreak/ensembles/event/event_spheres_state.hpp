@@ -1,10 +1,7 @@
 #pragma once
 
 #include <algorithm>
-#include <cstring>
-#include <numbers>
-
-#include <fmt/format.h>
+#include <type_traits>
 
 #include <scalebreak/base/bytes.hpp>
 #include <scalebreak/base/error.hpp>
@@ -13,6 +10,7 @@
 #include <scalebreak/ensembles/event/flight/allowance.hpp>
 #include <scalebreak/ensembles/event/flight/instants.hpp>
 #include <scalebreak/ensembles/event/flight/lists.hpp>
+#include <scalebreak/ensembles/event/saved_list.hpp>
 
 // How a flow starts, is renewed and handed over; included where EventSpheres is instantiated.
 
@@ -97,6 +95,48 @@ System EventSpheres<Queue, Rule>::system() const {
     wrap(system.cell, system.position[k], system.velocity[k]);
   }
   return system;
+}
+
+template <class Queue, class Rule>
+template <class Numbers>
+void EventSpheres<Queue, Rule>::go_through_numbers(Numbers&& number) {
+  for (const int axis : {0, 1, 2}) number(flight_.cell.size[axis]);
+  for (Boundary& boundary : flight_.cell.boundary) number(reinterpret_cast<std::underlying_type_t<Boundary>&>(boundary));
+  number(flight_.cell.shear_rate), number(flight_.cell.shear_offset), number(flight_.cell.wall_speed);
+  number(flight_.flow_rate), number(flight_.allowance), number(flight_.largest_reach);
+  number(base_), number(now_), number(renew_at_), number(collisions_left_);
+  number(watched_), number(watched_from_), number(longest_watch_);
+  number(totals_.collisions), number(totals_.wall_collisions), number(totals_.stale), number(totals_.lists), number(totals_.renewals);
+  number(totals_.wall_work), number(totals_.dissipated), number(totals_.contact_time);
+  for (const Eigen::Index i : {0, 1, 2, 3, 4, 5, 6, 7, 8}) number(totals_.contact_moment(i));
+}
+
+template <class Queue, class Rule>
+std::string EventSpheres<Queue, Rule>::save() const {
+  std::string bytes;
+  const_cast<EventSpheres*>(this)->go_through_numbers([&](const auto& value) { put_bytes(bytes, value); });
+  put_list(bytes, flight_.sphere), put_list(bytes, flight_.agenda), put_list(bytes, flight_.pool);
+  put_list(bytes, body_), put_list(bytes, spin_);
+  flight_.bins.save(bytes);
+  for (std::uint32_t i = 0; i < count(); ++i) put_bytes(bytes, queue_.time_of(i));
+  return bytes;
+}
+
+template <class Queue, class Rule>
+EventSpheres<Queue, Rule>::EventSpheres(std::string_view saved, const EventSetup& setup, Rule rule) : rule_(std::move(rule)) {
+  flight_.gravity = setup.gravity;
+  go_through_numbers([&](auto& value) { take_bytes(saved, value); });
+  take_list(saved, flight_.sphere), take_list(saved, flight_.agenda), take_list(saved, flight_.pool);
+  take_list(saved, body_), take_list(saved, spin_);
+  flight_.images = Images(flight_.cell);
+  flight_.bins = ReferenceBins(flight_.cell, count());
+  flight_.bins.load(saved);
+  queue_.reset(count());
+  for (std::uint32_t i = 0; i < count(); ++i) {
+    double time = 0;
+    take_bytes(saved, time);
+    queue_.schedule(i, time);
+  }
 }
 
 template <class Queue, class Rule>

@@ -2,6 +2,8 @@
 
 #include <cassert>
 
+#include <scalebreak/ensembles/event/saved_list.hpp>
+
 namespace scalebreak {
 
 ReferenceBins::ReferenceBins(const Cell& cell, std::size_t spheres) : cell_(cell), bin_of_sphere_(spheres, none) {
@@ -84,5 +86,9 @@ void ReferenceBins::move(std::uint32_t sphere, const Eigen::Vector3d& reference)
   take(bin_of_sphere_[sphere], sphere);
   insert(sphere, reference);
 }
+
+void ReferenceBins::save(std::string& bytes) const { put_list(bytes, bin_), put_list(bytes, bin_of_sphere_); }
+
+void ReferenceBins::load(std::string_view& bytes) { take_list(bytes, bin_), take_list(bytes, bin_of_sphere_); }
 
 }  // namespace scalebreak

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include <Eigen/Core>
@@ -22,6 +24,10 @@ class ReferenceBins {
 
   void insert(std::uint32_t sphere, const Eigen::Vector3d& reference);
   void move(std::uint32_t sphere, const Eigen::Vector3d& reference);
+
+  /// What has been put into them, of bins that were made alike.
+  void save(std::string& bytes) const;
+  void load(std::string_view& bytes);
 
   /// Calls visit(sphere) for every sphere whose reference is within `reach` of a point, and for some others; once each.
   template <class Visit>

@@ -15,6 +15,7 @@ class CalendarQueue {
   void reset(std::size_t spheres);
   void schedule(std::uint32_t sphere, double time);
   [[nodiscard]] Due next();
+  [[nodiscard]] double time_of(std::uint32_t sphere) const { return entry_[sphere].time; }
   [[nodiscard]] std::uint64_t operations() const { return operations_; }
 
   /// Spheres that are likely to be due soon, to be fetched ahead of their events.

@@ -24,6 +24,7 @@ class ReferenceQueue {
     ++operations_;
   }
   [[nodiscard]] Due next() const { return *due_.begin(); }
+  [[nodiscard]] double time_of(std::uint32_t sphere) const { return time_[sphere]; }
   [[nodiscard]] std::uint64_t operations() const { return operations_; }
 
  private:

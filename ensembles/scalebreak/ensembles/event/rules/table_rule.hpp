@@ -1,0 +1,56 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <scalebreak/collisions/tables/pair_resolver.hpp>
+#include <scalebreak/ensembles/event/rules/collision_rule.hpp>
+#include <scalebreak/scene/input.hpp>
+#include <scalebreak/scene/system.hpp>
+
+namespace scalebreak {
+
+/// Collisions of soft spheres by the tables of an input's laws, under its scaling law: each as if no third sphere were near, with its
+/// effective distance, so that both spheres fly on where an isolated soft collision would have left them. Where a table does not answer
+/// (the contact turns too far, or is beyond it) the exact engine does, and it is counted.
+class TableRule {
+ public:
+  static constexpr bool spins = true, displaces = true;
+  /// Radii and materials that a flow may have: each pair of them has its own tables in memory.
+  static constexpr std::size_t most_kinds = 8;
+
+  /// Obtains the tables of all pairs of spheres that a flow has. Throws InputError where no table can serve: laws that act at a distance or
+  /// map forces, rolling between unlike spheres, more than `most_kinds`.
+  TableRule(const Input& input, const System& system, const TableStore& store, const PairTolerance& tolerance = {});
+
+  /// Throws WorkError where the two stick.
+  [[nodiscard]] Parting collide(const Meeting& meeting);
+
+  /// Collisions that were integrated for a reason; for Refusal::none, looked up.
+  [[nodiscard]] long count(Refusal reason) const { return counts_[static_cast<std::size_t>(reason)]; }
+  [[nodiscard]] long integrated() const;
+
+  /// The counts.
+  void save(std::string& bytes) const;
+  void load(std::string_view& bytes);
+
+ private:
+  struct Kind {
+    double radius;
+    std::uint8_t material;
+    bool operator==(const Kind&) const = default;
+  };
+  [[nodiscard]] std::size_t kind_of(const Meeting::Body& body) const;
+  [[nodiscard]] const PairResolver& resolver(const Meeting& meeting) const;
+
+  std::vector<Kind> kinds_;
+  std::vector<std::unique_ptr<PairResolver>> pairs_;  ///< first · kinds + second
+  std::vector<std::unique_ptr<PairResolver>> walls_;
+  bool wall_no_slip_ = false;
+  std::array<long, static_cast<std::size_t>(Refusal::count)> counts_{};
+};
+
+}  // namespace scalebreak
