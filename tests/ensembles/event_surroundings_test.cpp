@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <scalebreak/base/error.hpp>
 #include <scalebreak/ensembles/event/event_spheres.hpp>
 #include <scalebreak/ensembles/event/rules/constant_restitution.hpp>
 #include <scalebreak/start/check_overlap.hpp>
@@ -119,6 +120,14 @@ TEST(EventGravity, LetsASphereBounceOnParabolas) {
   EXPECT_NEAR(flow.totals().contact_moment(2, 2), impulse * radius, 1e-12 * impulse * radius);  // the other one falls later
   flow.advance_to(falls + 2 * rises + e * rises);
   EXPECT_NEAR(flow.system().position[0].z(), radius + std::pow(e, 4) * 10 * radius, 1e-12);
+}
+
+TEST(EventGravity, SaysThatASphereComesToRestWhereEventsDoNotEnd) {
+  System start = spheres({{10 * radius, 10 * radius, 11 * radius}, {3 * radius, 3 * radius, 12 * radius}}, {{0, 0, 0}, {0, 0, 0}});
+  start.cell.boundary[2] = Boundary::wall;
+  Smooth flow(start, {.gravity = {0, 0, -9.81}}, {0.5});
+  EXPECT_THROW(flow.advance_to(1.0), WorkError);
+  EXPECT_LT(flow.time(), 0.11);  // √(2h/g) (1 + e)/(1 − e) of the higher one
 }
 
 TEST(EventGravity, KeepsTheEnergyOfAnElasticBoxAndItsSpheresInside) {

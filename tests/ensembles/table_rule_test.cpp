@@ -59,7 +59,7 @@ Deviation deviation_of(const Input& input, double speed, double sideways, int co
   Deviation most;
   for (int k = 0; k < collisions; ++k) {
     const System start = about_to_meet(random, speed, sideways, 0.3);
-    Tables flow(start, {}, TableRule(input, start, store()));
+    Tables flow(start, {}, TableRule(input, kinds_of(start), store()));
     const double time = 0.9 * radius / speed;
     flow.advance_to(time);
     EXPECT_EQ(flow.totals().collisions, 1);
@@ -98,7 +98,7 @@ TEST(TableRule, CountsWhatItIntegrates) {
   const Input input = flow_of("normal = \"hertz\"\ntangential = \"mindlin\"", 1e5);
   std::mt19937 random(5);
   const System start = about_to_meet(random, 0.3, 0.6, 0.3);
-  Tables flow(start, {}, TableRule(input, start, store()));
+  Tables flow(start, {}, TableRule(input, kinds_of(start), store()));
   flow.advance_to(0.5 * radius / 0.3);
   ASSERT_EQ(flow.totals().collisions, 1);
   EXPECT_EQ(flow.rule().count(Refusal::turns_too_far), 1);
@@ -109,7 +109,7 @@ TEST(TableRule, SaysThatSpheresStick) {
   const Input input = flow_of("normal = \"jkr\"\ntangential = \"none\"");
   std::mt19937 random(5);
   const System start = about_to_meet(random, 1e-4, 0, 0.3);
-  Tables flow(start, {}, TableRule(input, start, store()));
+  Tables flow(start, {}, TableRule(input, kinds_of(start), store()));
   EXPECT_EQ(message_of<WorkError>([&] { flow.advance_to(0.5 * radius / 1e-4); }),
             "two spheres met at 0.0001 m/s and stick together, which an event cannot say; allowed: a flow that is faster or adheres less, or "
             "--engine dem, which integrates every contact");
@@ -118,7 +118,7 @@ TEST(TableRule, SaysThatSpheresStick) {
 TEST(TableRule, RefusesWhatHasNoTables) {
   std::mt19937 random(5);
   const System start = about_to_meet(random, 0.1, 0, 0.3);
-  const auto message = [&](const Input& input) { return message_of<InputError>([&] { (void)TableRule(input, start, store()); }); };
+  const auto message = [&](const Input& input) { return message_of<InputError>([&] { (void)TableRule(input, kinds_of(start), store()); }); };
   EXPECT_EQ(message(flow_of("normal = \"jkr\"", 1e9, "[scaling]\nlaw = \"sup\"\nfactor = 2\n")),
             "scaling.law: found \"sup\", which maps forces and has no collision tables; allowed in an event-driven run: laws that scale the "
             "material, or --engine dem, which integrates every contact");
@@ -131,7 +131,7 @@ TEST(TableRule, RefusesWhatHasNoTables) {
     for (auto* list : {&many.position, &many.velocity, &many.spin}) list->push_back(Vector3d::Zero());
     many.mass.push_back(1), many.material.push_back(0);
   }
-  EXPECT_EQ(message_of<InputError>([&] { (void)TableRule(flow_of("normal = \"hertz\"\ntangential = \"none\""), many, store()); }),
+  EXPECT_EQ(message_of<InputError>([&] { (void)TableRule(flow_of("normal = \"hertz\"\ntangential = \"none\""), kinds_of(many), store()); }),
             "particles.size: found spheres of more than 8 radii; allowed in an event-driven run: \"mono\" or \"bidisperse\", or --engine dem, which "
             "integrates every contact");
 }

@@ -50,7 +50,8 @@ EngineTotals DemEngine::totals() const {
           .contact_time = totals.contact_time,
           .contact_moment = totals.contact_moment,
           .steps = dem_.steps(),
-          .events = {}};
+          .events = {},
+          .integrated = {}};
 }
 
 std::string DemEngine::save() const {

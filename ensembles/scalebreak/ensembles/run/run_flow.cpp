@@ -35,6 +35,9 @@ void refuse_another_run(const Checkpoint& checkpoint, const Input& input, const 
   const std::string path = checkpoint_path(options.out).string();
   if (checkpoint.input != write_input(input))
     throw InputError(fmt::format("--resume: {} is of another input; allowed: the same one, or none, then its own is taken", path));
+  if (checkpoint.engine != options.engine)
+    throw InputError(fmt::format("--engine: found {}, and {} is of a run by {}, which goes on bit for bit by the same only; allowed: {}",
+                                 options.engine, path, checkpoint.engine, checkpoint.engine));
   if (checkpoint.threads != options.threads)
     throw InputError(fmt::format("--threads: found {}, and {} is of a run on {}, which goes on bit for bit on as many only; allowed: {}",
                                  options.threads, path, checkpoint.threads, checkpoint.threads));
@@ -58,7 +61,8 @@ void refuse_fewer_fields(const OutputInput& output) {
 /// All replicas of a run, one after the other.
 class Runner {
  public:
-  Runner(const Input& input, const RunOptions& options) : input_(input), options_(options) {}
+  Runner(const Input& input, const RunOptions& options)
+      : input_(input), options_(options), tables_(options.tables.value_or(TableStore{.folder = default_table_folder()})) {}
 
   RunOutcome run() {
     std::optional<Checkpoint> left;
@@ -82,11 +86,11 @@ class Runner {
 
   void begin(const std::optional<Checkpoint>& left) {
     if (left) {
-      run_.emplace(input_, left->run, options_.threads);
+      run_.emplace(input_, left->run, options_.threads, tables_);
       files_.emplace(folder(), input_.output, left->files);
       return;
     }
-    run_.emplace(input_, finished_.size(), options_.threads);
+    run_.emplace(input_, finished_.size(), options_.threads, tables_, options_.engine);
     files_.reset();
     if (keeps_files()) files_.emplace(folder(), input_.output).add(run_->instant());
     if (!options_.say) return;
@@ -96,7 +100,7 @@ class Runner {
   void run_replica(const std::optional<Checkpoint>& left) {
     begin(left);
     start_ = last_checkpoint_ = Clock::now();
-    steps_at_start_ = run_->record().steps;
+    steps_at_start_ = run_->record().steps, events_at_start_ = run_->record().events.value_or(0);
     show();
     while (!run_->done()) {
       if (options_.stop && options_.stop()) interrupt();
@@ -124,7 +128,7 @@ class Runner {
   void keep() {
     write_checkpoint(options_.out, {.version = std::string(version()),
                                     .input = write_input(input_),
-                                    .engine = "dem",
+                                    .engine = options_.engine,
                                     .threads = options_.threads,
                                     .wall_seconds = wall_before_ + seconds_since(start_),
                                     .time = run_->record().time,
@@ -147,10 +151,12 @@ class Runner {
   void show() const {
     if (!options_.progress) return;
     const double spent = seconds_since(start_);
-    const double done = static_cast<double>(run_->record().particles) * static_cast<double>(run_->record().steps - steps_at_start_);
-    const double replicas = static_cast<double>(input_.run.replicas);
-    options_.progress({.share = (static_cast<double>(finished_.size()) + run_->share()) / replicas,
-                       .particle_steps_per_second = spent > 0 ? done / spent : 0});
+    const RunRecord& record = run_->record();
+    const double done = record.events ? static_cast<double>(*record.events - events_at_start_)
+                                      : static_cast<double>(record.particles) * static_cast<double>(record.steps - steps_at_start_);
+    options_.progress({.share = (static_cast<double>(finished_.size()) + run_->share()) / static_cast<double>(input_.run.replicas),
+                       .rate = spent > 0 ? done / spent : 0,
+                       .of = record.events ? "events/s" : "particle steps/s"});
   }
 
   RunOutcome outcome() const {
@@ -171,12 +177,13 @@ class Runner {
 
   const Input& input_;
   const RunOptions& options_;
+  const TableStore tables_;
   std::vector<std::string> finished_;
   std::optional<FlowRun> run_;
   std::optional<RunFiles> files_;
   double wall_before_ = 0;  ///< of what is finished, or was before a checkpoint [s]
   Clock::time_point start_, last_checkpoint_;
-  long steps_at_start_ = 0;
+  long steps_at_start_ = 0, events_at_start_ = 0;
   std::optional<double> kept_time_;
 };
 
@@ -185,6 +192,12 @@ class Runner {
 double RunOutcome::particle_steps() const {
   double sum = 0;
   for (const RunRecord& record : replicas) sum += static_cast<double>(record.particles) * static_cast<double>(record.steps);
+  return sum;
+}
+
+long RunOutcome::events() const {
+  long sum = 0;
+  for (const RunRecord& record : replicas) sum += record.events.value_or(0);
   return sum;
 }
 

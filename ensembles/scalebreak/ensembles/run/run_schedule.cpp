@@ -10,7 +10,7 @@
 namespace scalebreak {
 namespace {
 
-constexpr double most_steps_per_sample = 100, most_steps = 1e15;
+constexpr double most_steps = 1e15;
 constexpr double rounding = 1e-9;  ///< of a whole number of samples
 
 }  // namespace

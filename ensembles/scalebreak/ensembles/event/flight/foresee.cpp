@@ -1,6 +1,7 @@
 #include <scalebreak/ensembles/event/flight/foresee.hpp>
 
 #include <scalebreak/ensembles/event/flight/instants.hpp>
+#include <scalebreak/ensembles/event/flight/see_neighbours.hpp>
 
 namespace scalebreak {
 namespace {
@@ -28,34 +29,17 @@ void see_walls(const Flight& flight, const Eigen::Vector3d& position, const Eige
   }
 }
 
-template <bool falls>
-void see_neighbours(const Flight& flight, const Agenda& own, const Eigen::Vector3d& position, const Eigen::Vector3d& velocity, double radius,
-                    double now, Foreseen& next) {
-  const Neighbour* const list = flight.pool.data() + own.start;
-  for (std::uint32_t k = 0; k < own.count; ++k) __builtin_prefetch(&flight.sphere[list[k].sphere()]);
-  for (std::uint32_t k = 0; k < own.count; ++k) {
-    const FlyingSphere& other = flight.sphere[list[k].sphere()];
-    const Images::Image& image = flight.images[list[k].image()];
-    const Eigen::Vector3d apart = position_at<falls>(other, now, flight.gravity) + image.shift_at(now) - position;
-    Eigen::Vector3d relative = velocity_at<falls>(other, now, flight.gravity) - velocity;
-    relative.x() += image.drift;
-    const double wait = time_to_meet(apart, relative, radius + other.radius);
-    if (wait < next.wait) next = {wait, list[k]};
-  }
-}
-
 }  // namespace
 
 Foreseen foresee(const Flight& flight, std::uint32_t i, double now) {
-  const FlyingSphere& sphere = flight.sphere[i];
   const Agenda& own = flight.agenda[i];
-  const Eigen::Vector3d position = flight.position(i, now), velocity = flight.velocity(i, now);
-  Foreseen next{list_end(flight, own, position, velocity, now), {no_neighbour::list_ends, 0}};
-  see_walls(flight, position, velocity, sphere.radius, next);
-  if (flight.falls())
-    see_neighbours<true>(flight, own, position, velocity, sphere.radius, now, next);
-  else
-    see_neighbours<false>(flight, own, position, velocity, sphere.radius, now, next);
+  const FlyingSphere here{flight.position(i, now), now, flight.velocity(i, now), flight.sphere[i].radius};
+  Foreseen next{list_end(flight, own, here.position, here.velocity, now), {no_neighbour::list_ends, 0}};
+  see_walls(flight, here.position, here.velocity, here.radius, next);
+  const std::span<const Neighbour> list{flight.pool.data() + own.start, own.count};
+  for (const Neighbour neighbour : list) __builtin_prefetch(&flight.sphere[neighbour.sphere()]);
+  static const bool by_fours = can_see_by_fours();
+  (by_fours ? see_neighbours_by_fours : see_neighbours)(flight, list, here, next);
   return next;
 }
 

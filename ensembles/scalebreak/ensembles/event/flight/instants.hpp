@@ -13,12 +13,17 @@ namespace scalebreak {
 
 inline constexpr double never = std::numeric_limits<double>::infinity();
 
+/// In this order of additions, whatever compiles it.
+[[nodiscard, gnu::always_inline]] inline double dot(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  return a.x() * b.x() + a.y() * b.y() + a.z() * b.z();
+}
+
 /// When two centres a vector `apart`, in relative motion at `velocity`, come to the distance: |apart + velocity t| = distance.
 [[nodiscard, gnu::always_inline]] inline double time_to_meet(const Eigen::Vector3d& apart, const Eigen::Vector3d& velocity, double distance) {
-  const double approach = apart.dot(velocity);
+  const double approach = dot(apart, velocity);
   if (approach >= 0) return never;
-  const double gap = apart.squaredNorm() - distance * distance;
-  const double speed = velocity.squaredNorm(), discriminant = approach * approach - speed * gap;
+  const double gap = dot(apart, apart) - distance * distance;
+  const double discriminant = approach * approach - dot(velocity, velocity) * gap;
   if (discriminant < 0) return never;
   return std::max(0.0, gap / (std::sqrt(discriminant) - approach));
 }

@@ -19,15 +19,21 @@ std::span<Neighbour> list_of(Flight& flight, std::uint32_t i) {
 /// 0, or the crossing of a periodic face that brings a difference below half of the edge.
 int nearest_crossing(double difference, double edge) { return difference > edge / 2 ? -1 : difference < -edge / 2 ? 1 : 0; }
 
+/// The same of any difference, over the edge.
+int crossings(double difference) { return std::abs(difference) <= 0.5 ? 0 : -static_cast<int>(std::lround(difference)); }
+
 /// Neighbours of a sphere by the references.
 void find_near(const Flight& flight, std::uint32_t i, double now, std::vector<Neighbour>& found) {
   const Agenda& own = flight.agenda[i];
   const Cell& cell = flight.cell;
   const double strain = flight.flow_rate * now;
   const bool periodic[] = {cell.periodic(0), cell.periodic(1), cell.periodic(2)};
+  static thread_local std::vector<std::uint32_t> space;
+  const auto candidates = flight.bins.find_near(own.reference, own.reach + flight.largest_reach, strain, space);
+  for (const std::uint32_t k : candidates) __builtin_prefetch(&flight.agenda[k]);
   found.clear();
-  flight.bins.for_each_near(own.reference, own.reach + flight.largest_reach, strain, [&](std::uint32_t k) {
-    if (k == i) return;
+  for (const std::uint32_t k : candidates) {
+    if (k == i) continue;
     const Agenda& other = flight.agenda[k];
     const double distance = own.reach + other.reach;
     Eigen::Vector3d apart = other.reference - own.reference;
@@ -36,12 +42,12 @@ void find_near(const Flight& flight, std::uint32_t i, double now, std::vector<Ne
     apart.z() += z * cell.size.z();
     apart.y() += y * cell.size.y();
     apart.x() += z * cell.shear_offset + strain * apart.z();
-    const int x = periodic[0] ? -static_cast<int>(std::lround(apart.x() / cell.size.x())) : 0;
+    const int x = periodic[0] ? crossings(apart.x() / cell.size.x()) : 0;
     apart.x() += x * cell.size.x();
-    if (apart.squaredNorm() >= distance * distance) return;
+    if (apart.squaredNorm() >= distance * distance) continue;
     assert(std::abs(x) <= Images::most_along_x);
     found.emplace_back(k, Images::code(x, y, z));
-  });
+  }
 }
 
 /// Room for `count` entries and some more; the old place is lost until all lists are made anew.

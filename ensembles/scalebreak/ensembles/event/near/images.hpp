@@ -52,6 +52,7 @@ class Images {
   [[nodiscard]] static constexpr std::uint32_t code(int x, int y, int z) {
     return static_cast<std::uint32_t>((z + 1) * 3 * (2 * most_along_x + 1) + (y + 1) * (2 * most_along_x + 1) + x + most_along_x);
   }
+  static constexpr std::uint32_t home = (9 * (2 * most_along_x + 1) - 1) / 2;  ///< the sphere itself
   /// The image of the first sphere as the second sees it, where the first sees this one of the second.
   [[nodiscard]] static constexpr std::uint32_t opposite(std::uint32_t code) { return 9 * (2 * most_along_x + 1) - 1 - code; }
 

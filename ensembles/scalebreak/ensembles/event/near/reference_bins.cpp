@@ -1,10 +1,20 @@
 #include <scalebreak/ensembles/event/near/reference_bins.hpp>
 
+#include <algorithm>
 #include <cassert>
+#include <cmath>
 
 #include <scalebreak/ensembles/event/saved_list.hpp>
 
 namespace scalebreak {
+
+/// Around which point, as a bin sees it, and what has been found.
+struct ReferenceBins::Search {
+  std::vector<std::uint32_t>& found;
+  std::array<float, 3> middle{};
+  float strain = 0, square = 0;
+  std::size_t count = 0;
+};
 
 ReferenceBins::ReferenceBins(const Cell& cell, std::size_t spheres) : cell_(cell), bin_of_sphere_(spheres, none) {
   constexpr double spheres_a_bin = 2;
@@ -90,5 +100,78 @@ void ReferenceBins::move(std::uint32_t sphere, const Eigen::Vector3d& reference)
 void ReferenceBins::save(std::string& bytes) const { put_list(bytes, bin_), put_list(bytes, bin_of_sphere_); }
 
 void ReferenceBins::load(std::string_view& bytes) { take_list(bytes, bin_), take_list(bytes, bin_of_sphere_); }
+
+int ReferenceBins::inside(int axis, int bin) const {
+  const int bins = bins_[static_cast<std::size_t>(axis)];
+  if (bin >= 0 && bin < bins) return bin;
+  if (!cell_.periodic(axis)) return bin < 0 ? 0 : bins - 1;
+  return (bin % bins + bins) % bins;
+}
+
+ReferenceBins::Range ReferenceBins::range(int axis, double low, double high) const {
+  const int bins = bins_[static_cast<std::size_t>(axis)];
+  const auto below = [](double x) { return static_cast<int>(x) - (x < static_cast<int>(x) ? 1 : 0); };
+  int from = below(low / edge_[axis]), to = below(high / edge_[axis]);
+  if (!cell_.periodic(axis)) {
+    from = inside(axis, from), to = inside(axis, to);
+  } else if (to - from + 1 >= bins) {
+    return {from, bins, true};
+  }
+  return {from, to - from + 1, false};
+}
+
+void ReferenceBins::search_bin(const Bin& bin, Search& search) {
+  std::array<float, lanes> distance;
+  for (std::size_t k = 0; k < lanes; ++k) {
+    const float z = bin.z[k] - search.middle[2], y = bin.y[k] - search.middle[1], x = bin.x[k] - search.middle[0] + search.strain * z;
+    distance[k] = x * x + y * y + z * z;
+  }
+  // Written wherever it is, and kept where it is near: no branch has to be guessed.
+  if (search.found.size() < search.count + entries) search.found.resize(2 * search.count + entries);
+  std::uint32_t* const found = search.found.data();
+  for (std::size_t k = 0; k < entries; ++k) {
+    found[search.count] = bin.sphere[k];
+    search.count += distance[k] < search.square ? 1 : 0;
+  }
+}
+
+void ReferenceBins::search_row(std::size_t line, const Range& xs, double middle, Search& search) const {
+  for (int i = xs.first; i < xs.first + xs.count; ++i) {
+    const int x = inside(0, i);
+    search.middle[0] = static_cast<float>(middle - (i - x) / bins_[0] * cell_.size.x());
+    for (std::size_t bin = line + static_cast<std::size_t>(x); bin != none; bin = bin_[bin].more) search_bin(bin_[bin], search);
+  }
+}
+
+std::span<const std::uint32_t> ReferenceBins::find_near(const Eigen::Vector3d& point, double reach, double strain,
+                                                       std::vector<std::uint32_t>& space) const {
+  const double single_precision = 1e-6 * cell_.size.maxCoeff();  // points have been rounded to it
+  reach += single_precision;
+  const Range ys = range(1, point.y() - reach, point.y() + reach), zs = range(2, point.z() - reach, point.z() + reach);
+  // Where an axis is looked at as a whole, images are left to the caller.
+  const bool whole_rows = zs.all && cell_.shear_rate != 0;
+  Search search{.found = space, .strain = static_cast<float>(strain)};
+  for (int row = zs.first; row < zs.first + zs.count; ++row) {
+    const int z = inside(2, row), crossings = (row - z) / bins_[2];
+    const double middle = point.x() - crossings * cell_.shear_offset;
+    Range xs{0, bins_[0], true};
+    if (!whole_rows) {
+      // How much higher the references of this row can be: by so much more the flow has carried them on.
+      const bool lowest = !cell_.periodic(2) && row == 0, highest = !cell_.periodic(2) && row == bins_[2] - 1;
+      const double low = lowest ? -reach : std::max(-reach, row * edge_.z() - point.z());
+      const double high = highest ? reach : std::min(reach, (row + 1) * edge_.z() - point.z());
+      xs = range(0, middle - reach - std::max(strain * low, strain * high), middle + reach - std::min(strain * low, strain * high));
+    }
+    search.square = xs.all || ys.all || zs.all ? nowhere : static_cast<float>(reach * reach);
+    search.middle[2] = static_cast<float>(point.z() - crossings * cell_.size.z());
+    for (int j = ys.first; j < ys.first + ys.count; ++j) {
+      const int y = inside(1, j);
+      search.middle[1] = static_cast<float>(point.y() - (j - y) / bins_[1] * cell_.size.y());
+      search_row((static_cast<std::size_t>(z) * static_cast<std::size_t>(bins_[1]) + static_cast<std::size_t>(y)) * static_cast<std::size_t>(bins_[0]), xs,
+                 middle, search);
+    }
+  }
+  return {space.data(), search.count};
+}
 
 }  // namespace scalebreak

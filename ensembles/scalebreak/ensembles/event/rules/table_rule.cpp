@@ -51,20 +51,26 @@ std::unique_ptr<PairResolver> resolver_of(const Input& pair, const TableStore& s
 
 }  // namespace
 
-TableRule::TableRule(const Input& input, const System& system, const TableStore& store, const PairTolerance& tolerance)
-    : wall_no_slip_(input.cell.wall_no_slip) {
-  refuse_laws_without_tables(input);
-  for (std::size_t i = 0; i < system.count() && kinds_.size() <= most_kinds; ++i) {
-    const Kind kind{system.radius[i], system.material[i]};
-    if (std::find(kinds_.begin(), kinds_.end(), kind) == kinds_.end()) kinds_.push_back(kind);
+std::vector<SphereKind> kinds_of(const System& system) {
+  std::vector<SphereKind> kinds;
+  for (std::size_t i = 0; i < system.count() && kinds.size() <= TableRule::most_kinds; ++i) {
+    const SphereKind kind{system.radius[i], system.material[i]};
+    if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) kinds.push_back(kind);
   }
+  return kinds;
+}
+
+TableRule::TableRule(const Input& input, std::vector<SphereKind> kinds, const TableStore& store, const PairTolerance& tolerance)
+    : kinds_(std::move(kinds)), wall_no_slip_(input.cell.wall_no_slip) {
+  refuse_laws_without_tables(input);
   if (kinds_.size() > most_kinds)
     throw InputError(fmt::format("particles.size: found spheres of more than {} radii; allowed in an event-driven run: \"mono\" or \"bidisperse\", "
                                  "or {}",
                                  most_kinds, other_engine));
-  const bool walled = system.cell.walled(0) || system.cell.walled(1) || system.cell.walled(2);
-  for (const Kind& first : kinds_) {
-    for (const Kind& second : kinds_)
+  const auto& boundary = input.cell.boundary;
+  const bool walled = std::find(boundary.begin(), boundary.end(), Boundary::wall) != boundary.end();
+  for (const SphereKind& first : kinds_) {
+    for (const SphereKind& second : kinds_)
       pairs_.push_back(
           resolver_of(pair_input(input, {{first.radius, first.material}, {second.radius, second.material}}), store, tolerance));
     if (walled) walls_.push_back(resolver_of(pair_input(input, {{first.radius, first.material}}), store, tolerance));
@@ -73,7 +79,7 @@ TableRule::TableRule(const Input& input, const System& system, const TableStore&
 
 std::size_t TableRule::kind_of(const Meeting::Body& body) const {
   std::size_t kind = 0;
-  while (kinds_[kind] != Kind{body.radius, body.material}) ++kind;
+  while (kinds_[kind] != SphereKind{body.radius, body.material}) ++kind;
   return kind;
 }
 
@@ -83,6 +89,9 @@ const PairResolver& TableRule::resolver(const Meeting& meeting) const {
 }
 
 Parting TableRule::collide(const Meeting& meeting) {
+  const double normal_speed = meeting.velocity().dot(meeting.normal);
+  if (normal_speed <= 0)  // by rounding, of two that only just touch
+    return {.velocity = {meeting.first.velocity, meeting.second.velocity}, .spin = {meeting.first.spin, meeting.second.spin}};
   const PairResolver& pair = resolver(meeting);
   const bool loses_spin = meeting.wall && wall_no_slip_;
   const Eigen::Vector3d still = meeting.wall ? meeting.second.velocity : Eigen::Vector3d::Zero();  // the engine's wall rests
@@ -92,7 +101,6 @@ Parting TableRule::collide(const Meeting& meeting) {
   PairOutcome outcome = pair.look_up(impact);
   ++counts_[static_cast<std::size_t>(outcome.refusal)];
   if (outcome.refusal != Refusal::none) outcome = pair.integrate(impact);
-  const double normal_speed = meeting.velocity().dot(meeting.normal);
   if (outcome.stuck)
     throw WorkError(fmt::format("{} met at {:.3g} m/s and stick together, which an event cannot say; allowed: a flow that is faster or adheres "
                                 "less, or {}",

@@ -13,6 +13,13 @@
 
 namespace scalebreak {
 
+/// Spheres that are all alike.
+struct SphereKind {
+  double radius = 0;  ///< of the scaled system [m]
+  std::uint8_t material = 0;
+  bool operator==(const SphereKind&) const = default;
+};
+
 /// Collisions of soft spheres by the tables of an input's laws, under its scaling law: each as if no third sphere were near, with its
 /// effective distance, so that both spheres fly on where an isolated soft collision would have left them. Where a table does not answer
 /// (the contact turns too far, or is beyond it) the exact engine does, and it is counted.
@@ -24,7 +31,7 @@ class TableRule {
 
   /// Obtains the tables of all pairs of spheres that a flow has. Throws InputError where no table can serve: laws that act at a distance or
   /// map forces, rolling between unlike spheres, more than `most_kinds`.
-  TableRule(const Input& input, const System& system, const TableStore& store, const PairTolerance& tolerance = {});
+  TableRule(const Input& input, std::vector<SphereKind> kinds, const TableStore& store, const PairTolerance& tolerance = {});
 
   /// Throws WorkError where the two stick.
   [[nodiscard]] Parting collide(const Meeting& meeting);
@@ -33,24 +40,23 @@ class TableRule {
   [[nodiscard]] long count(Refusal reason) const { return counts_[static_cast<std::size_t>(reason)]; }
   [[nodiscard]] long integrated() const;
 
+  [[nodiscard]] const std::vector<SphereKind>& kinds() const { return kinds_; }
   /// The counts.
   void save(std::string& bytes) const;
   void load(std::string_view& bytes);
 
  private:
-  struct Kind {
-    double radius;
-    std::uint8_t material;
-    bool operator==(const Kind&) const = default;
-  };
   [[nodiscard]] std::size_t kind_of(const Meeting::Body& body) const;
   [[nodiscard]] const PairResolver& resolver(const Meeting& meeting) const;
 
-  std::vector<Kind> kinds_;
+  std::vector<SphereKind> kinds_;
   std::vector<std::unique_ptr<PairResolver>> pairs_;  ///< first · kinds + second
   std::vector<std::unique_ptr<PairResolver>> walls_;
   bool wall_no_slip_ = false;
   std::array<long, static_cast<std::size_t>(Refusal::count)> counts_{};
 };
+
+/// The kinds of spheres of a flow, in the order in which they are first met; at most one more than TableRule takes.
+[[nodiscard]] std::vector<SphereKind> kinds_of(const System& system);
 
 }  // namespace scalebreak
