@@ -17,7 +17,7 @@ struct ReferenceBins::Search {
 };
 
 ReferenceBins::ReferenceBins(const Cell& cell, std::size_t spheres) : cell_(cell), bin_of_sphere_(spheres, none) {
-  constexpr double spheres_a_bin = 2;
+  constexpr double spheres_a_bin = 0.7;  // few, so that bins fill the sphere that is searched, and more than three are rare
   const double edge = std::cbrt(spheres_a_bin * cell.volume() / static_cast<double>(spheres));
   std::size_t bins = 1;
   for (const int axis : {0, 1, 2}) {
@@ -120,6 +120,12 @@ ReferenceBins::Range ReferenceBins::range(int axis, double low, double high) con
   return {from, to - from + 1, false};
 }
 
+/// How much higher than `middle` references of a row lie, from and to, as far as they are within reach.
+std::array<double, 2> ReferenceBins::above(int axis, int row, double middle, double reach) const {
+  const bool first = !cell_.periodic(axis) && row == 0, last = !cell_.periodic(axis) && row == bins_[static_cast<std::size_t>(axis)] - 1;
+  return {first ? -reach : std::max(-reach, row * edge_[axis] - middle), last ? reach : std::min(reach, (row + 1) * edge_[axis] - middle)};
+}
+
 void ReferenceBins::search_bin(const Bin& bin, Search& search) {
   std::array<float, lanes> distance;
   for (std::size_t k = 0; k < lanes; ++k) {
@@ -153,19 +159,18 @@ std::span<const std::uint32_t> ReferenceBins::find_near(const Eigen::Vector3d& p
   Search search{.found = space, .strain = static_cast<float>(strain)};
   for (int row = zs.first; row < zs.first + zs.count; ++row) {
     const int z = inside(2, row), crossings = (row - z) / bins_[2];
-    const double middle = point.x() - crossings * cell_.shear_offset;
-    Range xs{0, bins_[0], true};
-    if (!whole_rows) {
-      // How much higher the references of this row can be: by so much more the flow has carried them on.
-      const bool lowest = !cell_.periodic(2) && row == 0, highest = !cell_.periodic(2) && row == bins_[2] - 1;
-      const double low = lowest ? -reach : std::max(-reach, row * edge_.z() - point.z());
-      const double high = highest ? reach : std::min(reach, (row + 1) * edge_.z() - point.z());
-      xs = range(0, middle - reach - std::max(strain * low, strain * high), middle + reach - std::min(strain * low, strain * high));
-    }
-    search.square = xs.all || ys.all || zs.all ? nowhere : static_cast<float>(reach * reach);
+    const auto [low, high] = above(2, row, point.z(), reach);
+    const double off_z = zs.all ? 0 : std::max({0.0, low, -high}), middle = point.x() - crossings * cell_.shear_offset;
     search.middle[2] = static_cast<float>(point.z() - crossings * cell_.size.z());
     for (int j = ys.first; j < ys.first + ys.count; ++j) {
       const int y = inside(1, j);
+      const auto [right, left] = above(1, j, point.y(), reach);
+      const double off_y = ys.all ? 0 : std::max({0.0, right, -left}), square = reach * reach - off_y * off_y - off_z * off_z;
+      if (square < 0) continue;
+      // By so much more as the references of this row are higher the flow has carried them on.
+      const double half = std::sqrt(square), least = std::min(strain * low, strain * high), most = std::max(strain * low, strain * high);
+      const Range xs = whole_rows ? Range{0, bins_[0], true} : range(0, middle - half - most, middle + half - least);
+      search.square = xs.all || ys.all || zs.all ? nowhere : static_cast<float>(reach * reach);
       search.middle[1] = static_cast<float>(point.y() - (j - y) / bins_[1] * cell_.size.y());
       search_row((static_cast<std::size_t>(z) * static_cast<std::size_t>(bins_[1]) + static_cast<std::size_t>(y)) * static_cast<std::size_t>(bins_[0]), xs,
                  middle, search);

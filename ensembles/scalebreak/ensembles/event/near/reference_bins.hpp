@@ -18,7 +18,7 @@ namespace scalebreak {
 class ReferenceBins {
  public:
   ReferenceBins() = default;
-  /// For so many spheres, about two in a bin.
+  /// For so many spheres.
   ReferenceBins(const Cell& cell, std::size_t spheres);
 
   void insert(std::uint32_t sphere, const Eigen::Vector3d& reference);
@@ -34,10 +34,10 @@ class ReferenceBins {
 
  private:
   static constexpr std::uint32_t none = 0xffffffff;
-  static constexpr int lanes = 8, entries = lanes - 1;
+  static constexpr int lanes = 4, entries = lanes - 1;
   static constexpr float nowhere = 1e18f;
 
-  /// Two cache lines: points in single precision, brought back into the cell, which is enough to tell the far from the near.
+  /// A cache line: points in single precision, brought back into the cell, which is enough to tell the far from the near.
   struct alignas(64) Bin {
     std::array<float, lanes> x, y, z;
     std::array<std::uint32_t, entries> sphere;
@@ -52,6 +52,7 @@ class ReferenceBins {
   [[nodiscard]] std::uint32_t bin_of(const std::array<float, 3>& point) const;
   [[nodiscard]] int inside(int axis, int bin) const;
   [[nodiscard]] Range range(int axis, double low, double high) const;
+  [[nodiscard]] std::array<double, 2> above(int axis, int row, double middle, double reach) const;
   void put(std::uint32_t bin, std::uint32_t sphere, const std::array<float, 3>& point);
   void take(std::uint32_t bin, std::uint32_t sphere);
   struct Search;
