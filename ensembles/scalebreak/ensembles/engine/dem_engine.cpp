@@ -51,7 +51,8 @@ EngineTotals DemEngine::totals() const {
           .contact_moment = totals.contact_moment,
           .steps = dem_.steps(),
           .events = {},
-          .integrated = {}};
+          .integrated = {},
+          .delayed = {}};
 }
 
 std::string DemEngine::save() const {

@@ -42,7 +42,8 @@ EngineTotals EventEngine::totals() const {
           .contact_time = totals.contact_time,
           .contact_moment = totals.contact_moment,
           .events = events,
-          .integrated = spheres_.rule().integrated()};
+          .integrated = spheres_.rule().integrated(),
+          .delayed = spheres_.rule().delayed()};
 }
 
 std::string EventEngine::save() const {

@@ -98,7 +98,7 @@ void EventSpheres<Queue, Rule>::collide(std::uint32_t i, Neighbour partner) {
   bring_up(flight_, j, now_);
   FlyingSphere &first = flight_.sphere[i], &second = flight_.sphere[j];
   const Eigen::Vector3d branch = second.position + image.shift_at(now_) - first.position, drift(image.drift, 0, 0);
-  Meeting meeting{branch.normalized(), meeting_body(i), meeting_body(j)};
+  Meeting meeting{branch.normalized(), meeting_body(i), meeting_body(j), branch.norm()};
   meeting.second.velocity += drift;
   const Parting parting = rule_.collide(meeting);
 
@@ -136,7 +136,7 @@ void EventSpheres<Queue, Rule>::collide_with_wall(std::uint32_t i, std::uint32_t
   const bool upper = wall % 2 == 1;
   bring_up(flight_, i, now_);
   FlyingSphere& sphere = flight_.sphere[i];
-  Meeting meeting{(upper ? 1 : -1) * Eigen::Vector3d::Unit(axis), meeting_body(i), {.mass = never}, true};
+  Meeting meeting{(upper ? 1 : -1) * Eigen::Vector3d::Unit(axis), meeting_body(i), {.mass = never}, sphere.radius, true};
   if (axis == 2) meeting.second.velocity.x() = (upper ? 1 : -1) * flight_.cell.wall_speed;
   const Parting parting = rule_.collide(meeting);
 

@@ -38,10 +38,10 @@ std::string modelled(const Input& input) {
 json run_json(const Input& input, const RunOutcome& outcome) {
   const RunRecord& first = outcome.replicas.front();
   double particles = 0;
-  long steps = 0, integrated = 0;
+  long steps = 0, integrated = 0, delayed = 0;
   std::vector<std::string> warnings;
   for (const RunRecord& run : outcome.replicas) {
-    particles += static_cast<double>(run.particles), steps += run.steps, integrated += run.integrated.value_or(0);
+    particles += static_cast<double>(run.particles), steps += run.steps, integrated += run.integrated.value_or(0), delayed += run.delayed.value_or(0);
     for (const std::string& warning : run.warnings) {
       if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end()) warnings.push_back(warning);
     }
@@ -60,6 +60,7 @@ json run_json(const Input& input, const RunOutcome& outcome) {
             {"steps", steps},
             {"events", first.events ? json(outcome.events()) : json()},
             {"integrated_collisions", first.integrated ? json(integrated) : json()},
+            {"delayed_collisions", first.delayed ? json(delayed) : json()},
             {"threads", outcome.threads},
             {"wall_seconds", outcome.wall_seconds},
             {"particle_steps_per_second", or_null(outcome.wall_seconds > 0 ? outcome.particle_steps() / outcome.wall_seconds : 0)},

@@ -88,7 +88,7 @@ void FlowRun::advance() {
   ++sample_;
   if (sample_ == record_.schedule.warmup_samples) engine_->keep_sums(true);
   const EngineTotals totals = engine_->totals();
-  record_.time = engine_->time(), record_.steps = totals.steps, record_.events = totals.events, record_.integrated = totals.integrated;
+  record_.time = engine_->time(), record_.steps = totals.steps, record_.events = totals.events, record_.integrated = totals.integrated, record_.delayed = totals.delayed;
   look();
 }
 

@@ -22,7 +22,7 @@ void go_through(Record& r, Number&& number, Text&& text) {
 
 void RunRecord::save(std::string& bytes) const {
   go_through(*this, [&](const auto& value) { put_bytes(bytes, value); }, [&](const std::string& text) { put_text(bytes, text); });
-  for (const std::optional<long>& count : {events, integrated}) {
+  for (const std::optional<long>& count : {events, integrated, delayed}) {
     put_bytes(bytes, count.has_value());
     put_bytes(bytes, count.value_or(0));
   }
@@ -32,7 +32,7 @@ void RunRecord::save(std::string& bytes) const {
 
 void RunRecord::load(std::string_view& bytes) {
   go_through(*this, [&](auto& value) { take_bytes(bytes, value); }, [&](std::string& text) { text = take_text(bytes); });
-  for (std::optional<long>* count : {&events, &integrated}) {
+  for (std::optional<long>* count : {&events, &integrated, &delayed}) {
     bool known = false;
     long counted = 0;
     take_bytes(bytes, known);

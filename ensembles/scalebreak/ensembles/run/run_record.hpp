@@ -25,7 +25,7 @@ struct RunRecord {
   double gravity_energy = 0;  ///< Σ m g·x at the start [J]
   double time = 0;            ///< reached [s]
   long steps = 0;
-  std::optional<long> events, integrated;  ///< as in EngineTotals
+  std::optional<long> events, integrated, delayed;  ///< as in EngineTotals
   std::vector<std::string> warnings;
 
   void save(std::string& bytes) const;

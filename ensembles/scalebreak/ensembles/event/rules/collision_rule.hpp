@@ -17,6 +17,7 @@ struct Meeting {
   };
   Eigen::Vector3d normal;  ///< unit vector from the first to the second
   Body first, second;
+  double distance = 0;  ///< of the centres, or of a centre and the wall; less than the radii where an earlier collision has shifted them [m]
   bool wall = false;
 
   /// Of the first relative to the second.

@@ -107,8 +107,15 @@ Parting TableRule::collide(const Meeting& meeting) {
                                 meeting.wall ? "a sphere and a wall" : "two spheres", normal_speed, other_engine));
   Parting parting{.velocity = {outcome.velocity[0] + still, outcome.velocity[1] + still}, .spin = outcome.spin, .contact_time = outcome.contact_time};
   if (loses_spin) parting.spin[0].setZero();
-  // Where they parted, and from there back along their new paths to now.
-  const Eigen::Vector3d shift = outcome.displacement - outcome.contact_time * (outcome.velocity[0] - outcome.velocity[1]);
+  // Where they parted, and from there back along their new paths to now, or until just before they are nearest.
+  const Eigen::Vector3d parted = outcome.displacement - meeting.distance * meeting.normal, velocity = outcome.velocity[0] - outcome.velocity[1];
+  double back = outcome.contact_time;
+  constexpr double almost = 0.9;
+  if (const double nearest = almost * parted.dot(velocity) / velocity.squaredNorm(); !meeting.wall && nearest < back) {
+    back = std::max(nearest, 0.0);
+    ++delayed_;
+  }
+  const Eigen::Vector3d shift = outcome.displacement - back * velocity;
   const double share = meeting.wall ? 1 : meeting.second.mass / (meeting.first.mass + meeting.second.mass);
   parting.shift = {share * shift, (share - 1) * shift};
   return parting;
@@ -118,10 +125,12 @@ long TableRule::integrated() const { return std::accumulate(counts_.begin(), cou
 
 void TableRule::save(std::string& bytes) const {
   for (const long count : counts_) put_bytes(bytes, count);
+  put_bytes(bytes, delayed_);
 }
 
 void TableRule::load(std::string_view& bytes) {
   for (long& count : counts_) take_bytes(bytes, count);
+  take_bytes(bytes, delayed_);
 }
 
 }  // namespace scalebreak

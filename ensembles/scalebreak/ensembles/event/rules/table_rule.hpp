@@ -39,9 +39,12 @@ class TableRule {
   /// Collisions that were integrated for a reason; for Refusal::none, looked up.
   [[nodiscard]] long count(Refusal reason) const { return counts_[static_cast<std::size_t>(reason)]; }
   [[nodiscard]] long integrated() const;
+  /// Of two that glance off each other so slowly that, along their new paths, they would have been nearest while still in contact: they are
+  /// put behind by as much, so that they do not seem to meet again.
+  [[nodiscard]] long delayed() const { return delayed_; }
 
   [[nodiscard]] const std::vector<SphereKind>& kinds() const { return kinds_; }
-  /// The counts.
+  /// All that is counted.
   void save(std::string& bytes) const;
   void load(std::string_view& bytes);
 
@@ -53,6 +56,7 @@ class TableRule {
   std::vector<std::unique_ptr<PairResolver>> pairs_;  ///< first · kinds + second
   std::vector<std::unique_ptr<PairResolver>> walls_;
   bool wall_no_slip_ = false;
+  long delayed_ = 0;
   std::array<long, static_cast<std::size_t>(Refusal::count)> counts_{};
 };
 
