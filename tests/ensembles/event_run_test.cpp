@@ -22,7 +22,7 @@ struct EventRun : testing::Test {
 
 TEST_F(EventRun, GivesTheSameNumbersAndFilesWhereverItIsInterrupted) {
   const RunOutcome whole = run_flow(input, options("whole"));
-  EXPECT_GT(whole.events(), 1000);
+  EXPECT_GT(whole.events(), 500);
   const auto expected = files_of(folder / "whole");
   EXPECT_THAT(names_of(expected), testing::IsSupersetOf({"series.csv", "profiles.csv", "particles.xyz", "particles.dump", "particles.pvd",
                                                          "particles_000000.csv", "particles_000010.vtp"}));
@@ -47,7 +47,8 @@ TEST_F(EventRun, SaysWhatItDid) {
   EXPECT_EQ(j["engine"], "event");
   EXPECT_EQ(j["events"], outcome.events());
   EXPECT_GT(j["events_per_second"], 0);
-  EXPECT_EQ(j["integrated_collisions"], 0);
+  EXPECT_LT(j["integrated_collisions"], outcome.events() / 10);
+  EXPECT_LT(j["delayed_collisions"], outcome.events() / 20);
   EXPECT_EQ(j["steps"], 0);
   EXPECT_FALSE(j.contains("step"));
   EXPECT_GT(j["coordination"], 0);  // from contact times
