@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <scalebreak/base/error.hpp>
+#include <scalebreak/ensembles/event/rules/table_rule.hpp>
 #include <scalebreak/ensembles/report/run_json.hpp>
 #include <scalebreak/ensembles/report/run_report.hpp>
 #include <scalebreak/ensembles/run/checkpoint.hpp>
@@ -32,14 +33,19 @@ void stop_on_signals() {
 }
 
 void refuse_other_engines(const std::string& engine) {
-  if (engine != "auto" && engine != "dem")
-    throw InputError(fmt::format("--engine: {} is not there yet; allowed: dem, or auto, which chooses it", engine));
+  if (engine != "auto" && engine != "dem" && engine != "event")
+    throw InputError(fmt::format("--engine: {} is not there yet; allowed: dem, event, or auto, which chooses dem", engine));
 }
 
+std::string engine_of(const Options& options) { return options.engine == "auto" ? "dem" : options.engine; }
+
 std::string estimate(const Options& options, const Input& input) {
+  if (engine_of(options) == "event")
+    return "engine event: how many collisions there will be, and so how long it takes, is not known before";
   const RunEstimate e = estimate_run(input, options.cores());
-  return fmt::format("engine dem, {:.0f} spheres, {:.3g} steps, about {:.2g} s on {} threads, {:.2g} MB of memory, {:.2g} MB of particle files with --out",
-                     e.particles, e.steps, e.seconds, options.cores(), e.bytes / 1e6, e.file_bytes / 1e6);
+  return fmt::format(
+      "engine dem, {:.0f} spheres, {:.3g} steps, about {:.2g} s on {} threads, {:.2g} MB of memory, {:.2g} MB of particle files with --out",
+      e.particles, e.steps, e.seconds, options.cores(), e.bytes / 1e6, e.file_bytes / 1e6);
 }
 
 /// A run that goes on has its input and threads in the checkpoint; what is given must be the same.
@@ -47,27 +53,39 @@ Input input_to_go_on_with(Options& options) {
   if (options.out.empty()) throw InputError("--resume: --out is missing; allowed: --out with the folder of an unfinished run");
   const Checkpoint checkpoint = read_checkpoint(options.out);
   if (options.threads == 0) options.threads = checkpoint.threads;
+  if (options.engine == "auto") options.engine = checkpoint.engine;
   if (!options.files.empty() || !options.settings.empty()) return options.input();
   return resolve_input(read_toml(checkpoint.input, checkpoint_path(options.out).string()));
 }
 
+void print_steps(const RunOutcome& outcome) {
+  const RunRecord& run = outcome.replicas.front();
+  fmt::print("step              {:.4g} s, limited by {}; the smallest bound is that of the {}, {:.4g} s\n", run.schedule.step,
+             run.step.limit, run.step.bound, run.step.bound_step);
+  if (const ShortestContact& contact = run.step.contact; contact.time > 0)
+    fmt::print("shortest contact  {:.4g} s, {:.1f} steps: {} at {:.4g} m/s ({}), by {}\n", contact.time, contact.time / run.schedule.step,
+               contact.of, contact.meeting.speed, contact.meeting.of, contact_time_source(contact));
+  fmt::print("time              {:.6g} s, of which {:.6g} s measured, {} steps, {:.3g} s of wall time, {:.3g} particle steps per second\n",
+             run.time, outcome.measured.duration, run.steps, outcome.wall_seconds, outcome.particle_steps() / outcome.wall_seconds);
+}
+
 void print_run(const Options& options, const Input& input, const RunOutcome& outcome) {
   const RunRecord& run = outcome.replicas.front();
-  fmt::print("engine            dem{}, {} threads\n",
-             options.engine == "auto" ? " (auto: the only one that runs flows so far)" : "", outcome.threads);
+  fmt::print("engine            {}{}, {} threads\n", run.engine, options.engine == "auto" ? " (auto: it runs every flow)" : "",
+             run.engine == "event" ? 1 : outcome.threads);
   fmt::print("modelled          {}\n", modelled(input));
   if (input.scaling_law != "none" || input.scaling_factor != 1)
     fmt::print("scaled            {} at {:g}; what follows is the scaled system's\n", input.scaling_law, input.scaling_factor);
   fmt::print("spheres           {} in {:.4g} x {:.4g} x {:.4g} m, volume fraction {:.4g}{}\n", run.particles, run.cell.x(), run.cell.y(),
              run.cell.z(), run.volume_fraction,
              outcome.replicas.size() > 1 ? fmt::format(" (the first of {} replicas)", outcome.replicas.size()) : "");
-  fmt::print("step              {:.4g} s, limited by {}; the smallest bound is that of the {}, {:.4g} s\n", run.schedule.step, run.step.limit,
-             run.step.bound, run.step.bound_step);
-  if (const ShortestContact& contact = run.step.contact; contact.time > 0)
-    fmt::print("shortest contact  {:.4g} s, {:.1f} steps: {} at {:.4g} m/s ({}), by {}\n", contact.time, contact.time / run.schedule.step,
-               contact.of, contact.meeting.speed, contact.meeting.of, contact_time_source(contact));
-  fmt::print("time              {:.6g} s, of which {:.6g} s measured, {} steps, {:.3g} s of wall time, {:.3g} particle steps per second\n",
-             run.time, outcome.measured.duration, run.steps, outcome.wall_seconds, outcome.particle_steps() / outcome.wall_seconds);
+  if (run.engine == "event")
+    fmt::print(
+        "time              {:.6g} s, of which {:.6g} s measured, {} events, {} of them integrated, {:.3g} s of wall time, {:.3g} events per second\n",
+        run.time, outcome.measured.duration, run.events.value_or(0), run.integrated.value_or(0), outcome.wall_seconds,
+        static_cast<double>(outcome.events()) / outcome.wall_seconds);
+  else
+    print_steps(outcome);
   for (const Quantity& quantity : outcome.measured.quantities) fmt::print("{:<24}{}\n", quantity.name, in_words(quantity));
   const MeasuredTensor& stress = outcome.measured.stress;
   for (const Eigen::Index i : {0, 1, 2}) {
@@ -81,13 +99,14 @@ std::function<void(const RunProgress&)> bar(const Options& options) {
   struct State {
     std::function<void(double)> show;
     double rate = 0;
+    const char* of = "";
   };
   const auto state = std::make_shared<State>();
   return [state, &options](const RunProgress& progress) {
-    state->rate = progress.particle_steps_per_second;
+    state->rate = progress.rate, state->of = progress.of;
     if (!state->show)
       state->show = options.progress("running the flow", progress.share,
-                                     [state = state.get()] { return fmt::format("{:.2g} particle steps/s", state->rate); });
+                                     [state = state.get()] { return fmt::format("{:.2g} {}", state->rate, state->of); });
     state->show(progress.share);
   };
 }
@@ -96,11 +115,13 @@ void run(Options& options) {
   refuse_other_engines(options.engine);
   if (answered_early(options, [&](const Input& input) { return estimate(options, input); })) return;
   const Input input = options.resume ? input_to_go_on_with(options) : options.input();
+  if (engine_of(options) == "event") refuse_laws_without_tables(input);
   stop_on_signals();
   if (!options.out.empty() && !options.resume) begin_run_folder(options.out, input_file_text(input, "run"));
   const RunOutcome outcome = run_flow(input, {.out = options.out,
                                               .threads = options.cores(),
                                               .resume = options.resume,
+                                              .engine = engine_of(options),
                                               .tables = options.store(),
                                               .stop = [] { return told_to_stop.load(); },
                                               .progress = bar(options),
@@ -117,9 +138,10 @@ void run(Options& options) {
 }  // namespace
 
 void add_run(CLI::App& app, Options& options, std::function<void()>& job) {
-  CLI::App* command = app.add_subcommand("run", "a flow of many spheres: what is measured with its errors, series, profiles, particle files");
+  CLI::App* command =
+      app.add_subcommand("run", "a flow of many spheres: what is measured with its errors, series, profiles, particle files");
   add_options(*command, options);
-  command->add_option("--engine", options.engine, "what moves the spheres; so far dem, which auto chooses")
+  command->add_option("--engine", options.engine, "what moves the spheres; so far dem, which auto chooses, and event")
       ->check(CLI::IsMember({"auto", "event", "hybrid", "dem", "lammps"}))
       ->type_name("auto|event|hybrid|dem|lammps");
   command->add_flag("--resume", options.resume, "go on with the unfinished run in --out; without an input, with its own");

@@ -124,8 +124,8 @@ TEST_F(RunCommand, RefusesInOneSentence) {
     EXPECT_EQ(result.out, "");
     return result.err;
   };
-  EXPECT_EQ(refused({"run", "--engine", "event"}),
-            "scalebreak: --engine: event is not there yet; allowed: dem, or auto, which chooses it\n");
+  EXPECT_EQ(refused({"run", "--engine", "hybrid"}),
+            "scalebreak: --engine: hybrid is not there yet; allowed: dem, event, or auto, which chooses dem\n");
   EXPECT_EQ(refused({"run", "--resume"}), "scalebreak: --resume: --out is missing; allowed: --out with the folder of an unfinished run\n");
   EXPECT_EQ(refused({"run", "--resume", "--out", out}),
             "scalebreak: --resume: " + out + " holds no checkpoint.bin; allowed: --out with the folder of an unfinished run\n");

@@ -42,7 +42,7 @@ double energy_of(const FlowInstant& instant) {
 TEST(EnergyDrift, OfAnElasticGasIsItsChangeOfEnergyPerCollision) {
   const Input input = resolved(elastic);
   ASSERT_FALSE(why_account_is_open(input));
-  FlowRun run(input, 0, 1, nullptr);
+  FlowRun run(input, 0, 1, nullptr, "dem");
   const FlowInstant first = run.instant();
   double kinetic = 0, samples = 0;
   while (!run.done()) {
@@ -68,7 +68,7 @@ TEST(EnergyDrift, IsMissingWithAReasonWhereTheAccountIsOpen) {
   // A wall counts where there is one.
   EXPECT_FALSE(why_account_is_open(resolved(elastic, {"wall.restitution=0.5"})));
   EXPECT_THAT(why_account_is_open(resolved(elastic, {"wall.restitution=0.5", "cell.kind=box"})), Optional(HasSubstr("wall.restitution")));
-  FlowRun run(resolved(elastic, {"material.restitution=0.9", "run.duration=0.002"}), 0, 1, nullptr);
+  FlowRun run(resolved(elastic, {"material.restitution=0.9", "run.duration=0.002"}), 0, 1, nullptr, "dem");
   while (!run.done()) run.advance();
   EXPECT_TRUE(std::isnan(value_of(run.measurement().result(), "energy_drift")));
 }

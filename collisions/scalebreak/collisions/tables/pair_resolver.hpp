@@ -34,6 +34,8 @@ class PairResolver {
 
   /// How many collisions were integrated for a reason; for Refusal::none, looked up.
   [[nodiscard]] long count(Refusal reason) const { return counts_[static_cast<std::size_t>(reason)]; }
+  /// What no impact of this pair can change.
+  [[nodiscard]] Refusal standing_refusal() const { return lookup_->standing_refusal(); }
   [[nodiscard]] const CollidingPair& pair() const { return pair_; }
 
  private:

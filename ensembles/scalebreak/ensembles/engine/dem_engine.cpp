@@ -51,7 +51,9 @@ EngineTotals DemEngine::totals() const {
           .contact_time = totals.contact_time,
           .contact_moment = totals.contact_moment,
           .steps = dem_.steps(),
-          .events = {}};
+          .events = {},
+          .integrated = {},
+          .delayed = {}};
 }
 
 std::string DemEngine::save() const {

@@ -18,7 +18,9 @@ struct EngineTotals {
   std::optional<double> shear_work, dissipated, contact_time;
   std::optional<Eigen::Matrix3d> contact_moment;
   long steps = 0;              ///< of time
-  std::optional<long> events;  ///< of an event-driven engine
+  std::optional<long> events;      ///< of an event-driven engine
+  std::optional<long> integrated;  ///< of these, collisions that no table answered
+  std::optional<long> delayed;     ///< and those put behind, TableRule::delayed
 };
 
 /// What a run needs of an engine that moves a flow on.

@@ -16,6 +16,7 @@ using nlohmann::json;
 json or_null(double value) { return value > 0 ? json(value) : json(); }
 
 json step_json(const RunRecord& run) {
+  if (run.engine == "event") return {{"sample_interval", run.schedule.sample_interval()}};
   const ShortestContact& contact = run.step.contact;
   return {{"step", run.schedule.step},
           {"step_limit", run.step.limit},
@@ -47,16 +48,16 @@ std::string modelled(const Input& input) {
 json run_json(const Input& input, const RunOutcome& outcome) {
   const RunRecord& first = outcome.replicas.front();
   double particles = 0;
-  long steps = 0;
+  long steps = 0, integrated = 0, delayed = 0;
   std::vector<std::string> warnings;
   for (const RunRecord& run : outcome.replicas) {
-    particles += static_cast<double>(run.particles), steps += run.steps;
+    particles += static_cast<double>(run.particles), steps += run.steps, integrated += run.integrated.value_or(0), delayed += run.delayed.value_or(0);
     for (const std::string& warning : run.warnings) {
       if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end()) warnings.push_back(warning);
     }
   }
   json j = {{"version", version()},
-            {"engine", "dem"},
+            {"engine", first.engine},
             {"modelled", modelled(input)},
             {"scaling_law", input.scaling_law},
             {"scaling_factor", input.scaling_factor},
@@ -67,11 +68,13 @@ json run_json(const Input& input, const RunOutcome& outcome) {
             {"time", first.time},
             {"warmup_time", first.schedule.time_of(first.schedule.warmup_samples)},
             {"steps", steps},
-            {"events", nullptr},
+            {"events", first.events ? json(outcome.events()) : json()},
+            {"integrated_collisions", first.integrated ? json(integrated) : json()},
+            {"delayed_collisions", first.delayed ? json(delayed) : json()},
             {"threads", outcome.threads},
             {"wall_seconds", outcome.wall_seconds},
             {"particle_steps_per_second", or_null(outcome.wall_seconds > 0 ? outcome.particle_steps() / outcome.wall_seconds : 0)},
-            {"events_per_second", nullptr},
+            {"events_per_second", or_null(outcome.wall_seconds > 0 ? static_cast<double>(outcome.events()) / outcome.wall_seconds : 0)},
             {"patch_fraction", nullptr},
             {"warnings", warnings}};
   if (outcome.replicas.size() == 1) j["particles"] = first.particles;

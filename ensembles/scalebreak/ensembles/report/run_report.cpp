@@ -54,6 +54,12 @@ void add_numbers(HtmlReport& report, const RunOutcome& outcome) {
 
 std::string what_ran(const RunOutcome& outcome) {
   const RunRecord& run = outcome.replicas.front();
+  if (run.engine == "event")
+    return fmt::format(
+        "{} spheres in a cell of {:g} × {:g} × {:g} m, volume fraction {:.4g}. Event-driven engine, {} events, of which {} no table answered, {:.4g} s of "
+        "which {:.4g} s are measured. {:.3g} s of wall time, {:.3g} events per second.",
+        run.particles, run.cell.x(), run.cell.y(), run.cell.z(), run.volume_fraction, run.events.value_or(0), run.integrated.value_or(0), run.time,
+        outcome.measured.duration, outcome.wall_seconds, static_cast<double>(outcome.events()) / outcome.wall_seconds);
   return fmt::format(
       "{} spheres in a cell of {:g} × {:g} × {:g} m, volume fraction {:.4g}. Soft-sphere engine, {} steps of {:.4g} s (limited by {}; the smallest bound "
       "is that of the {}, {:.4g} s), {:.4g} s of which {:.4g} s are measured. {:.3g} s of wall time on {} threads, {:.3g} particle steps per second.",

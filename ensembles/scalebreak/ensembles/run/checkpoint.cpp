@@ -37,7 +37,8 @@ Checkpoint read_checkpoint(const std::filesystem::path& folder) {
   if (!content && std::filesystem::exists(folder / "result.json"))
     throw InputError(fmt::format("--resume: the run in {} is finished; allowed: the folder of an unfinished one", folder.string()));
   if (!content)
-    throw InputError(fmt::format("--resume: {} holds no checkpoint.bin; allowed: --out with the folder of an unfinished run", folder.string()));
+    throw InputError(
+        fmt::format("--resume: {} holds no checkpoint.bin; allowed: --out with the folder of an unfinished run", folder.string()));
   std::string_view bytes = *content;
   if (!bytes.starts_with(magic)) throw InputError(fmt::format("--resume: {} is no checkpoint; allowed: one that run wrote", path.string()));
   bytes.remove_prefix(magic.size());

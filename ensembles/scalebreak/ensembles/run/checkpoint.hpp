@@ -10,14 +10,14 @@ namespace scalebreak {
 
 /// An unfinished run in a file.
 struct Checkpoint {
-  std::string version;       ///< of the program, with its commit
-  std::string input;         ///< resolved, as TOML
-  std::string engine;        ///< "dem"
-  int threads = 1;           ///< on which it goes on bit for bit
-  double wall_seconds = 0;   ///< so far
-  double time = 0;           ///< of the replica that runs [s]
+  std::string version;                ///< of the program, with its commit
+  std::string input;                  ///< resolved, as TOML
+  std::string engine;                 ///< "dem" or "event"
+  int threads = 1;                    ///< on which it goes on bit for bit
+  double wall_seconds = 0;            ///< so far
+  double time = 0;                    ///< of the replica that runs [s]
   std::vector<std::string> finished;  ///< what earlier replicas came to
-  std::string run, files;    ///< of the replica that runs: FlowRun, and RunFiles
+  std::string run, files;             ///< of the replica that runs: FlowRun, and RunFiles
 };
 
 /// Where the checkpoint of a run lies.

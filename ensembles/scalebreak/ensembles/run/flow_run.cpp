@@ -1,8 +1,11 @@
 #include <scalebreak/ensembles/run/flow_run.hpp>
 
+#include <algorithm>
+
 #include <scalebreak/base/bytes.hpp>
 #include <scalebreak/ensembles/engine/dem_engine.hpp>
 #include <scalebreak/ensembles/engine/energy_account.hpp>
+#include <scalebreak/ensembles/engine/event_engine.hpp>
 #include <scalebreak/ensembles/engine/flow_start.hpp>
 #include <scalebreak/start/filling.hpp>
 
@@ -15,6 +18,8 @@ double gravity_energy(const System& system, const Eigen::Vector3d& gravity) {
   for (std::size_t i = 0; i < system.count(); ++i) energy += system.mass[i] * gravity.dot(system.position[i]);
   return energy;
 }
+
+TableStore store_of(const TableStore* tables) { return tables ? *tables : TableStore{.folder = default_table_folder()}; }
 
 }  // namespace
 
@@ -30,29 +35,48 @@ Sample FlowInstant::sample() const {
           .contact_moment = totals.contact_moment};
 }
 
-FlowRun::FlowRun(const Input& input, std::uint64_t replica, int threads, const TableStore* tables) : gravity_(input.cell.gravity) {
+void FlowRun::plan(const Input& input, const System& start, double speed, const TableStore* tables) {
+  const RunTimes times = run_times(input, start.cell);
+  if (record_.engine == "event") {
+    const double most = std::min(event_sample_interval(start, speed), times.interval);
+    record_.schedule = run_schedule(times, most / most_steps_per_sample);
+    return;
+  }
+  record_.step = choose_step(input, step_scene(input, start, speed), tables);
+  record_.schedule = run_schedule(times, record_.step.step);
+  if (!record_.step.warning.empty()) record_.warnings.push_back(record_.step.warning);
+}
+
+FlowRun::FlowRun(const Input& input, std::uint64_t replica, int threads, const TableStore* tables, const std::string& engine)
+    : gravity_(input.cell.gravity) {
   const FlowStart start = flow_start(input, replica);
   const System& system = start.system;
   record_.replica = replica;
   record_.particles = system.count();
   record_.cell = system.cell.size;
   record_.volume_fraction = volume_fraction(system.cell, system.radius);
-  record_.step = choose_step(input, step_scene(input, system, start.speed), tables);
-  record_.schedule = run_schedule(run_times(input, system.cell), record_.step.step);
   record_.gravity_energy = gravity_energy(system, gravity_);
   record_.warnings = start.warnings;
-  if (!record_.step.warning.empty()) record_.warnings.push_back(record_.step.warning);
-  engine_ = std::make_unique<DemEngine>(system, dem_setup(input, record_.schedule.step, threads), why_account_is_open(input).has_value());
+  record_.engine = engine;
+  plan(input, system, start.speed, tables);
+  if (engine == "event")
+    engine_ = std::make_unique<EventEngine>(system, input, store_of(tables));
+  else
+    engine_ = std::make_unique<DemEngine>(system, dem_setup(input, record_.schedule.step, threads), why_account_is_open(input).has_value());
   engine_->keep_sums(measures());
   look();
 }
 
-FlowRun::FlowRun(const Input& input, std::string_view saved, int threads) : gravity_(input.cell.gravity) {
+FlowRun::FlowRun(const Input& input, std::string_view saved, int threads, const TableStore* tables) : gravity_(input.cell.gravity) {
   record_.load(saved);
   take_bytes(saved, sample_);
   measurement_.load(take_text(saved));
-  engine_ = std::make_unique<DemEngine>(std::string_view(take_text(saved)), dem_setup(input, record_.schedule.step, threads),
-                                        why_account_is_open(input).has_value());
+  const std::string engine = take_text(saved);
+  if (record_.engine == "event")
+    engine_ = std::make_unique<EventEngine>(engine, input, store_of(tables));
+  else
+    engine_ = std::make_unique<DemEngine>(std::string_view(engine), dem_setup(input, record_.schedule.step, threads),
+                                          why_account_is_open(input).has_value());
   engine_->keep_sums(measures());
 }
 
@@ -68,7 +92,8 @@ void FlowRun::advance() {
   ++sample_;
   if (sample_ == record_.schedule.warmup_samples) engine_->keep_sums(true);
   const EngineTotals totals = engine_->totals();
-  record_.time = engine_->time(), record_.steps = totals.steps, record_.events = totals.events;
+  record_.time = engine_->time(), record_.steps = totals.steps, record_.events = totals.events, record_.integrated = totals.integrated,
+  record_.delayed = totals.delayed;
   look();
 }
 

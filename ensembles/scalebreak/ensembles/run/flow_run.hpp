@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include <scalebreak/collisions/tables/table_store.hpp>
 #include <scalebreak/ensembles/engine/flow_engine.hpp>
 #include <scalebreak/ensembles/run/run_record.hpp>
 #include <scalebreak/measure/flow_measurement.hpp>
@@ -23,15 +24,16 @@ struct FlowInstant {
   [[nodiscard]] Sample sample() const;
 };
 
-/// One run of a flow with the soft-sphere engine, from its start through the warm-up and the measurement, sample by sample.
+/// One run of a flow with an engine, "dem" or "event", from its start through the warm-up and the measurement, sample by sample.
 class FlowRun {
  public:
   static constexpr int slabs = 20;
 
-  /// Starts. `threads` at least 1; `tables` as choose_step has them. Throws InputError, and WorkError where the cell cannot be filled.
-  FlowRun(const Input& input, std::uint64_t replica, int threads, const TableStore* tables);
+  /// Starts. `threads` at least 1; `tables` as choose_step has them, and for engines of tables in the user's cache without. Throws
+  /// InputError, and WorkError where the cell cannot be filled.
+  FlowRun(const Input& input, std::uint64_t replica, int threads, const TableStore* tables, const std::string& engine);
   /// Goes on where `saved` was left: bit for bit with the same input and threads.
-  FlowRun(const Input& input, std::string_view saved, int threads);
+  FlowRun(const Input& input, std::string_view saved, int threads, const TableStore* tables);
 
   /// To the next sample. Throws WorkError where the engine fails.
   void advance();
@@ -49,6 +51,7 @@ class FlowRun {
   [[nodiscard]] std::string save() const;
 
  private:
+  void plan(const Input& input, const System& start, double speed, const TableStore* tables);
   void look();
 
   Eigen::Vector3d gravity_;

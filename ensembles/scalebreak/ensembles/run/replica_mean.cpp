@@ -21,7 +21,7 @@ Measured mean(const std::vector<FlowResult>& replicas, const Get& get) {
   return {middle, count > 1 ? std::sqrt(squares / (count - 1) / count) : nothing};
 }
 
-MeasuredTensor mean_tensor(const std::vector<FlowResult>& replicas, MeasuredTensor FlowResult::* tensor) {
+MeasuredTensor mean_tensor(const std::vector<FlowResult>& replicas, MeasuredTensor FlowResult::*tensor) {
   MeasuredTensor result;
   for (const Eigen::Index i : {0, 1, 2}) {
     for (const Eigen::Index j : {0, 1, 2}) {

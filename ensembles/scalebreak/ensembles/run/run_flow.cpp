@@ -35,6 +35,9 @@ void refuse_another_run(const Checkpoint& checkpoint, const Input& input, const 
   const std::string path = checkpoint_path(options.out).string();
   if (checkpoint.input != write_input(input))
     throw InputError(fmt::format("--resume: {} is of another input; allowed: the same one, or none, then its own is taken", path));
+  if (checkpoint.engine != options.engine)
+    throw InputError(fmt::format("--engine: found {}, and {} is of a run by {}, which goes on bit for bit by the same only; allowed: {}",
+                                 options.engine, path, checkpoint.engine, checkpoint.engine));
   if (checkpoint.threads != options.threads)
     throw InputError(fmt::format("--threads: found {}, and {} is of a run on {}, which goes on bit for bit on as many only; allowed: {}",
                                  options.threads, path, checkpoint.threads, checkpoint.threads));
@@ -42,16 +45,17 @@ void refuse_another_run(const Checkpoint& checkpoint, const Input& input, const 
 
 void refuse_to_overwrite(const std::filesystem::path& out) {
   if (std::filesystem::exists(checkpoint_path(out)))
-    throw InputError(fmt::format("--out: {} holds the checkpoint of an unfinished run; allowed: --resume to go on with it, or another folder",
-                                 out.string()));
+    throw InputError(fmt::format(
+        "--out: {} holds the checkpoint of an unfinished run; allowed: --resume to go on with it, or another folder", out.string()));
 }
 
 void refuse_fewer_fields(const OutputInput& output) {
   for (const ParticleField field : OutputInput{}.fields) {
     if (!output.formats.empty() && std::find(output.fields.begin(), output.fields.end(), field) == output.fields.end())
-      throw InputError(fmt::format("output.fields: found a list without {}, and particle files always hold all of them; allowed: all four, or "
-                                   "output.formats = []",
-                                   particle_field_words[static_cast<std::size_t>(field)]));
+      throw InputError(
+          fmt::format("output.fields: found a list without {}, and particle files always hold all of them; allowed: all four, or "
+                      "output.formats = []",
+                      particle_field_words[static_cast<std::size_t>(field)]));
   }
 }
 
@@ -77,16 +81,17 @@ class Runner {
   }
 
  private:
+  [[nodiscard]] const TableStore* tables() const { return options_.tables ? &*options_.tables : nullptr; }
   [[nodiscard]] bool keeps_files() const { return !options_.out.empty(); }
   [[nodiscard]] std::filesystem::path folder() const { return replica_folder(options_.out, finished_.size(), input_.run.replicas); }
 
   void begin(const std::optional<Checkpoint>& left) {
     if (left) {
-      run_.emplace(input_, left->run, options_.threads);
+      run_.emplace(input_, left->run, options_.threads, tables());
       files_.emplace(folder(), input_.output, left->files);
       return;
     }
-    run_.emplace(input_, finished_.size(), options_.threads, options_.tables ? &*options_.tables : nullptr);
+    run_.emplace(input_, finished_.size(), options_.threads, tables(), options_.engine);
     files_.reset();
     if (keeps_files()) files_.emplace(folder(), input_.output).add(run_->instant());
     if (!options_.say) return;
@@ -96,7 +101,7 @@ class Runner {
   void run_replica(const std::optional<Checkpoint>& left) {
     begin(left);
     start_ = last_checkpoint_ = Clock::now();
-    steps_at_start_ = run_->record().steps;
+    steps_at_start_ = run_->record().steps, events_at_start_ = run_->record().events.value_or(0);
     show();
     while (!run_->done()) {
       if (options_.stop && options_.stop()) interrupt();
@@ -114,17 +119,17 @@ class Runner {
     try {
       run_->advance();
     } catch (const WorkError& error) {
-      throw WorkError(fmt::format("{}; {}", error.what(),
-                                  kept_time_ ? fmt::format("the last checkpoint, of {:.6g} s, is kept in {}", *kept_time_,
-                                                           checkpoint_path(options_.out).string())
-                                             : "there is no checkpoint yet"));
+      throw WorkError(fmt::format(
+          "{}; {}", error.what(),
+          kept_time_ ? fmt::format("the last checkpoint, of {:.6g} s, is kept in {}", *kept_time_, checkpoint_path(options_.out).string())
+                     : "there is no checkpoint yet"));
     }
   }
 
   void keep() {
     write_checkpoint(options_.out, {.version = std::string(version()),
                                     .input = write_input(input_),
-                                    .engine = "dem",
+                                    .engine = options_.engine,
                                     .threads = options_.threads,
                                     .wall_seconds = wall_before_ + seconds_since(start_),
                                     .time = run_->record().time,
@@ -147,10 +152,12 @@ class Runner {
   void show() const {
     if (!options_.progress) return;
     const double spent = seconds_since(start_);
-    const double done = static_cast<double>(run_->record().particles) * static_cast<double>(run_->record().steps - steps_at_start_);
-    const double replicas = static_cast<double>(input_.run.replicas);
-    options_.progress({.share = (static_cast<double>(finished_.size()) + run_->share()) / replicas,
-                       .particle_steps_per_second = spent > 0 ? done / spent : 0});
+    const RunRecord& record = run_->record();
+    const double done = record.events ? static_cast<double>(*record.events - events_at_start_)
+                                      : static_cast<double>(record.particles) * static_cast<double>(record.steps - steps_at_start_);
+    options_.progress({.share = (static_cast<double>(finished_.size()) + run_->share()) / static_cast<double>(input_.run.replicas),
+                       .rate = spent > 0 ? done / spent : 0,
+                       .of = record.events ? "events/s" : "particle steps/s"});
   }
 
   RunOutcome outcome() const {
@@ -176,7 +183,7 @@ class Runner {
   std::optional<RunFiles> files_;
   double wall_before_ = 0;  ///< of what is finished, or was before a checkpoint [s]
   Clock::time_point start_, last_checkpoint_;
-  long steps_at_start_ = 0;
+  long steps_at_start_ = 0, events_at_start_ = 0;
   std::optional<double> kept_time_;
 };
 
@@ -185,6 +192,12 @@ class Runner {
 double RunOutcome::particle_steps() const {
   double sum = 0;
   for (const RunRecord& record : replicas) sum += static_cast<double>(record.particles) * static_cast<double>(record.steps);
+  return sum;
+}
+
+long RunOutcome::events() const {
+  long sum = 0;
+  for (const RunRecord& record : replicas) sum += record.events.value_or(0);
   return sum;
 }
 

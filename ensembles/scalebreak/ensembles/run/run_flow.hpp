@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <scalebreak/base/error.hpp>
+#include <scalebreak/collisions/tables/table_store.hpp>
 #include <scalebreak/ensembles/run/run_record.hpp>
 #include <scalebreak/measure/flow_result.hpp>
 #include <scalebreak/scene/input.hpp>
@@ -14,15 +15,18 @@
 namespace scalebreak {
 
 struct RunProgress {
-  double share = 0;                     ///< of all replicas
-  double particle_steps_per_second = 0;  ///< since this program began with them
+  double share = 0;  ///< of all replicas
+  double rate = 0;   ///< particle steps, or events, per second, since this program began with them
+  const char* of = "particle steps/s";
 };
 
 struct RunOptions {
   std::filesystem::path out;  ///< empty: no files, no checkpoints
   int threads = 1;
-  bool resume = false;  ///< goes on from the checkpoint in `out`
-  std::optional<TableStore> tables = {};  ///< for the contact time that bounds the step; none: collisions are resolved exactly for it
+  bool resume = false;         ///< goes on from the checkpoint in `out`
+  std::string engine = "dem";  ///< or "event"; a run that goes on must have the one that it had
+  std::optional<TableStore> tables =
+      {};  ///< where collision tables are kept; none: the step is bounded by exact collisions, and engines use the user's cache
   /// Asked after every sample; true: the run ends with a checkpoint and RunInterrupted.
   std::function<bool()> stop = {};
   std::function<void(const RunProgress&)> progress = {};
@@ -41,8 +45,9 @@ struct RunOutcome {
   double wall_seconds = 0;
   int threads = 1;
 
-  /// Spheres times steps, of all replicas.
+  /// Spheres times steps, and events, of all replicas.
   [[nodiscard]] double particle_steps() const;
+  [[nodiscard]] long events() const;
 };
 
 /// Where the files of a replica of so many lie, from 0.
@@ -51,7 +56,7 @@ struct RunOutcome {
 /// Writes input.toml into the folder of a new run. Throws InputError where the folder holds an unfinished one.
 void begin_run_folder(const std::filesystem::path& out, const std::string& input_file);
 
-/// Runs a flow, replica after replica, with the soft-sphere engine. Writes the files of RunFiles, checkpoints every
+/// Runs a flow, replica after replica. Writes the files of RunFiles, checkpoints every
 /// output.checkpoint_interval of wall time, and profiles.csv. Files of a run that was interrupted and
 /// went on are those of one that was not, byte for byte, on the same number of threads. The threads of a run that goes on must be those that it had.
 ///

@@ -8,7 +8,7 @@ namespace {
 /// The same list for both ways.
 template <class Record, class Number, class Text>
 void go_through(Record& r, Number&& number, Text&& text) {
-  number(r.replica), number(r.particles);
+  text(r.engine), number(r.replica), number(r.particles);
   for (auto& edge : r.cell) number(edge);
   number(r.volume_fraction);
   number(r.step.step), number(r.step.asked), text(r.step.limit), text(r.step.bound), number(r.step.bound_step);
@@ -22,21 +22,27 @@ void go_through(Record& r, Number&& number, Text&& text) {
 }  // namespace
 
 void RunRecord::save(std::string& bytes) const {
-  go_through(*this, [&](const auto& value) { put_bytes(bytes, value); }, [&](const std::string& text) { put_text(bytes, text); });
-  put_bytes(bytes, events.has_value());
-  put_bytes(bytes, events.value_or(0));
+  go_through(
+      *this, [&](const auto& value) { put_bytes(bytes, value); }, [&](const std::string& text) { put_text(bytes, text); });
+  for (const std::optional<long>& count : {events, integrated, delayed}) {
+    put_bytes(bytes, count.has_value());
+    put_bytes(bytes, count.value_or(0));
+  }
   put_bytes(bytes, static_cast<std::uint64_t>(warnings.size()));
   for (const std::string& warning : warnings) put_text(bytes, warning);
 }
 
 void RunRecord::load(std::string_view& bytes) {
-  go_through(*this, [&](auto& value) { take_bytes(bytes, value); }, [&](std::string& text) { text = take_text(bytes); });
-  bool has_events = false;
-  long counted = 0;
+  go_through(
+      *this, [&](auto& value) { take_bytes(bytes, value); }, [&](std::string& text) { text = take_text(bytes); });
+  for (std::optional<long>* count : {&events, &integrated, &delayed}) {
+    bool known = false;
+    long counted = 0;
+    take_bytes(bytes, known);
+    take_bytes(bytes, counted);
+    *count = known ? std::optional(counted) : std::nullopt;
+  }
   std::uint64_t sentences = 0;
-  take_bytes(bytes, has_events);
-  take_bytes(bytes, counted);
-  events = has_events ? std::optional(counted) : std::nullopt;
   take_bytes(bytes, sentences);
   warnings.clear();
   for (std::uint64_t k = 0; k < sentences; ++k) warnings.push_back(take_text(bytes));

@@ -15,16 +15,17 @@ namespace scalebreak {
 
 /// What there is to say of a run beside what it measured.
 struct RunRecord {
+  std::string engine = "dem";  ///< or "event"
   std::uint64_t replica = 0;
   std::uint64_t particles = 0;
   Eigen::Vector3d cell{0, 0, 0};  ///< its edges [m]
   double volume_fraction = 0;     ///< at the start
-  StepChoice step;
+  StepChoice step;                ///< of an engine that has one
   RunSchedule schedule;
   double gravity_energy = 0;  ///< Σ m g·x at the start [J]
   double time = 0;            ///< reached [s]
   long steps = 0;
-  std::optional<long> events;
+  std::optional<long> events, integrated, delayed;  ///< as in EngineTotals
   std::vector<std::string> warnings;
 
   void save(std::string& bytes) const;

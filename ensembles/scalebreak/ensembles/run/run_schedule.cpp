@@ -10,15 +10,16 @@
 namespace scalebreak {
 namespace {
 
-constexpr double most_steps_per_sample = 100, most_steps = 1e15;
+constexpr double most_steps = 1e15;
 constexpr double rounding = 1e-9;  ///< of a whole number of samples
 
 }  // namespace
 
 RunSchedule run_schedule(const RunTimes& times, double largest_step) {
   if (const double steps = (times.warmup + times.duration) / largest_step; !(steps < most_steps))
-    throw InputError(fmt::format("run.duration: found {:g} s with a warm-up of {:g} s, which is {:.3g} steps of {:.3g} s; allowed: at most {:g}",
-                                 times.duration, times.warmup, steps, largest_step, most_steps));
+    throw InputError(
+        fmt::format("run.duration: found {:g} s with a warm-up of {:g} s, which is {:.3g} steps of {:.3g} s; allowed: at most {:g}",
+                    times.duration, times.warmup, steps, largest_step, most_steps));
   const double interval = std::min(times.interval, times.warmup + times.duration);
   RunSchedule schedule;
   schedule.samples_per_row = std::max(1L, std::lround(std::ceil(interval / (most_steps_per_sample * largest_step))));

@@ -4,7 +4,9 @@
 
 namespace scalebreak {
 
-/// When a run is sampled, in whole steps: rows of the series at every interval exactly, samples of the measurement between them.
+inline constexpr double most_steps_per_sample = 100;
+
+/// When a run is sampled, in whole steps, of which an event-driven engine makes no other use: rows of the series at every interval exactly, samples of the measurement between them.
 struct RunSchedule {
   double step = 0;            ///< [s], at most the one that was allowed
   long steps_per_sample = 0;  ///< at most 100

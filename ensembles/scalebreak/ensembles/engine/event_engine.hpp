@@ -1,0 +1,37 @@
+#pragma once
+
+#include <string_view>
+
+#include <scalebreak/ensembles/engine/flow_engine.hpp>
+#include <scalebreak/ensembles/event/event_spheres.hpp>
+#include <scalebreak/ensembles/event/rules/table_rule.hpp>
+#include <scalebreak/scene/input.hpp>
+
+namespace scalebreak {
+
+/// The event-driven engine in a run: spheres whose collisions are looked up, each as if it were alone.
+class EventEngine final : public FlowEngine {
+ public:
+  /// Throws InputError where the input's laws have no tables, or its spheres do not fit the cell.
+  EventEngine(const System& start, const Input& input, const TableStore& store);
+  /// Goes on with the same input.
+  EventEngine(std::string_view saved, const Input& input, const TableStore& store);
+
+  void advance_to(double time) override { spheres_.advance_to(time); }
+  void keep_sums(bool) override {}  // they cost nothing
+  [[nodiscard]] double time() const override { return spheres_.time(); }
+  [[nodiscard]] System system() const override { return spheres_.system(); }
+  [[nodiscard]] std::vector<ContactForce> contact_forces() const override { return {}; }
+  [[nodiscard]] EngineTotals totals() const override;
+  [[nodiscard]] double elastic_energy() const override { return 0; }
+  [[nodiscard]] std::string save() const override;
+
+ private:
+  EventSpheres<CalendarQueue, TableRule> spheres_;
+};
+
+/// How often the state of an event-driven flow is worth a look: a few times that its spheres fly between collisions, by Enskog's rate at a
+/// root mean square speed [m/s]. Contacts need no look, they are summed as they happen [s].
+[[nodiscard]] double event_sample_interval(const System& start, double speed);
+
+}  // namespace scalebreak

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <scalebreak/collisions/tables/pair_resolver.hpp>
+#include <scalebreak/ensembles/event/rules/collision_rule.hpp>
+#include <scalebreak/scene/input.hpp>
+#include <scalebreak/scene/system.hpp>
+
+namespace scalebreak {
+
+/// Spheres that are all alike.
+struct SphereKind {
+  double radius = 0;  ///< of the scaled system [m]
+  std::uint8_t material = 0;
+  bool operator==(const SphereKind&) const = default;
+};
+
+/// Throws InputError for laws that no collision table describes: scaling laws that map forces, liquids.
+void refuse_laws_without_tables(const Input& input);
+
+/// Collisions of soft spheres by the tables of an input's laws, under its scaling law: each as if no third sphere were near, with its
+/// effective distance, so that both spheres fly on where an isolated soft collision would have left them. Where a table does not answer
+/// (the contact turns too far, or is beyond it) the exact engine does, and it is counted.
+class TableRule {
+ public:
+  static constexpr bool spins = true, displaces = true;
+  /// Radii and materials that a flow may have: each pair of them has its own tables in memory.
+  static constexpr std::size_t most_kinds = 8;
+
+  /// Obtains the tables of all pairs of spheres that a flow has. Throws InputError where no table can serve: laws that act at a distance or
+  /// map forces, rolling between unlike spheres, more than `most_kinds`.
+  TableRule(const Input& input, std::vector<SphereKind> kinds, const TableStore& store, const PairTolerance& tolerance = {});
+
+  /// Throws WorkError where the two stick.
+  [[nodiscard]] Parting collide(const Meeting& meeting);
+
+  /// Collisions that were integrated for a reason; for Refusal::none, looked up.
+  [[nodiscard]] long count(Refusal reason) const { return counts_[static_cast<std::size_t>(reason)]; }
+  [[nodiscard]] long integrated() const;
+  /// Of two that glance off each other so slowly that, along their new paths, they would have been nearest while still in contact: they are
+  /// put behind by as much, so that they do not seem to meet again.
+  [[nodiscard]] long delayed() const { return delayed_; }
+
+  [[nodiscard]] const std::vector<SphereKind>& kinds() const { return kinds_; }
+  /// All that is counted.
+  void save(std::string& bytes) const;
+  void load(std::string_view& bytes);
+
+ private:
+  [[nodiscard]] std::size_t kind_of(const Meeting::Body& body) const;
+  [[nodiscard]] const PairResolver& resolver(const Meeting& meeting) const;
+
+  std::vector<SphereKind> kinds_;
+  std::vector<std::unique_ptr<PairResolver>> pairs_;  ///< first · kinds + second
+  std::vector<std::unique_ptr<PairResolver>> walls_;
+  bool wall_no_slip_ = false;
+  long delayed_ = 0;
+  std::array<long, static_cast<std::size_t>(Refusal::count)> counts_{};
+};
+
+/// The kinds of spheres of a flow, in the order in which they are first met; at most one more than TableRule takes.
+[[nodiscard]] std::vector<SphereKind> kinds_of(const System& system);
+
+}  // namespace scalebreak
