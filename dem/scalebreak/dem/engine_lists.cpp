@@ -162,6 +162,7 @@ void Dem::Engine::select_wall(Worker& worker, std::size_t w) {
 
 void Dem::Engine::reopen_rows(Worker& worker) {
   if (!each_) return;
+  // Those that are apart too: the kernel reads the row of every lane, also of one that does not act.
   const auto reopen = [&](Contacts& contacts, LawRows& rows, bool wall) {
     for (std::uint32_t k = 0; k < contacts.count; ++k) {
       const std::uint32_t i = contacts.first[k], j = wall ? i : sphere_of(contacts.second[k]);

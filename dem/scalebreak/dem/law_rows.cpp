@@ -77,10 +77,4 @@ void LawRows::close_all() {
   free_.clear();
 }
 
-void LawRows::reserve(std::size_t rows) {
-  rows_.reserve(rows + 1);
-  hold_.reserve(rows + 1);
-  bridge_.reserve(rows + 1);
-}
-
 }  // namespace scalebreak::dem

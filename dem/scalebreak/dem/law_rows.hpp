@@ -28,8 +28,6 @@ class LawRows {
   std::uint32_t open(const Kind& first, const Kind& second);
   void close(std::uint32_t row) { free_.push_back(row); }
   void close_all();
-  /// No more rows than this will be open: so that none moves.
-  void reserve(std::size_t rows);
 
   [[nodiscard]] const ContactLaws* rows() const { return rows_.data(); }
   [[nodiscard]] const double* hold() const { return hold_.data(); }
