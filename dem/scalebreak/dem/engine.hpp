@@ -65,7 +65,6 @@ class Dem::Engine {
   void set_up(const System& start);
   [[nodiscard]] std::vector<std::uint32_t> sort_out_kinds(const System& start);
   void make_rows();
-  void stand_walls();
   void make_workers();
   // engine_lists.cpp
   void make_grid(const std::vector<ContactMemory>& contacts);

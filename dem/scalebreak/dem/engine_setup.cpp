@@ -7,6 +7,7 @@
 
 #include <scalebreak/base/error.hpp>
 #include <scalebreak/dem/engine.hpp>
+#include <scalebreak/dem/walls.hpp>
 
 namespace scalebreak {
 
@@ -100,19 +101,8 @@ std::vector<std::uint32_t> Dem::Engine::sort_out_kinds(const System& start) {
 
 void Dem::Engine::make_rows() {
   rows_ = LawRows(setup_, kinds_, false, each_);
-  stand_walls();
+  walls_ = walls_of(cell_, setup_.wall_no_slip);
   if (!walls_.empty()) wall_rows_ = LawRows(setup_, kinds_, true, each_);
-}
-
-void Dem::Engine::stand_walls() {
-  for (const int axis : {0, 1, 2}) {
-    if (!cell_.walled(axis)) continue;
-    for (const double side : {-1.0, 1.0}) {
-      WallView wall{.axis = axis, .side = side, .place = side < 0 ? 0.0 : cell_.size[axis], .stops_spin = setup_.wall_no_slip};
-      if (axis == 2) wall.velocity.x = side * cell_.wall_speed;
-      walls_.push_back(wall);
-    }
-  }
 }
 
 void Dem::Engine::make_workers() {

@@ -5,6 +5,7 @@
 #include <scalebreak/base/error.hpp>
 #include <scalebreak/dem/engine.hpp>
 #include <scalebreak/dem/list_keeper.hpp>
+#include <scalebreak/dem/spring_energy.hpp>
 
 // What the engine shows of its state, and how it keeps it.
 
@@ -106,38 +107,14 @@ double Dem::Engine::elastic_energy() const {
 }
 
 double Dem::Engine::energy_of_springs() const {
-  const double scale = rows_.mapped().force / rows_.mapped().length;
   double energy = 0;
   const auto add = [&](const Contacts& contacts, const LawRows& rows, const WallView* wall) {
-    for (std::uint32_t k = 0; k < contacts.count; ++k) {
-      if (contacts.state[k] == apart) continue;
+    energy += spring_energy(contacts, rows, [&](std::uint32_t k) {
       const Quad& here = spheres_.position[contacts.first[k]];
-      double gap = 0;
-      if (wall) {
-        gap = wall->side * (wall->place - (&here.x)[wall->axis]) - here.w;
-      } else {
-        const Quad &there = spheres_.position[sphere_of(contacts.second[k])], &shift = images_.shift[image_of(contacts.second[k])];
-        gap = (vector(there) + vector(shift) - vector(here)).norm() - here.w - there.w;
-      }
-      const ContactLaws& laws = rows.rows()[contacts.row[k]];
-      const double overlap = -gap * rows.mapped().length;
-      if (laws.liquid.acts()) energy += scale * laws.liquid.capillary_energy(-overlap);
-      if (contacts.state[k] != touching) continue;
-      ContactPoint point{.overlap = overlap};
-      std::visit(
-          [&](const auto& law) {
-            const double x = law.coordinate(overlap);
-            energy += scale * law.energy(x);
-            point.root = law.root_radius(x);
-            point.overlap_root = std::sqrt(std::sqrt(laws.radius * std::max(overlap, 0.0)));
-          },
-          laws.normal);
-      if (contacts.slides) energy += scale / 2 * laws.tangential.at(point).stiffness * vector(contacts.slide.get(k)).squaredNorm();
-      if (!contacts.rolls) continue;
-      const SliderLaw rolling = laws.rolling.at(point);
-      const double square = vector(contacts.roll.get(k)).squaredNorm();
-      if (rolling.stiffness > 0) energy += scale / 2 * (rolling.incremental ? square / rolling.stiffness : square * rolling.stiffness);
-    }
+      if (wall) return wall->side * (wall->place - (&here.x)[wall->axis]) - here.w;
+      const Quad &there = spheres_.position[sphere_of(contacts.second[k])], &shift = images_.shift[image_of(contacts.second[k])];
+      return (vector(there) + vector(shift) - vector(here)).norm() - here.w - there.w;
+    });
   };
   for (const Worker& worker : workers_) {
     add(worker.pairs.contacts, rows_.each() ? worker.rows : rows_, nullptr);

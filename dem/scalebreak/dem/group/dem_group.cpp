@@ -1,0 +1,302 @@
+#include <scalebreak/dem/group/dem_group.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <scalebreak/dem/spring_energy.hpp>
+
+namespace scalebreak {
+
+using namespace dem;
+
+namespace {
+
+Quad quad(const Eigen::Vector3d& v, double w) { return {v.x(), v.y(), v.z(), w}; }
+Eigen::Vector3d vector(const Quad& quad) { return {quad.x, quad.y, quad.z}; }
+
+}  // namespace
+
+/// Begins and ends the contacts of one list.
+class DemGroup::Keeper final : public ContactKeeper {
+ public:
+  Keeper(DemGroup& group, Pairs& pairs, bool wall) : group_(group), pairs_(pairs), wall_(wall) {}
+
+  void meet(ForceTask& task, std::uint32_t first, std::uint32_t second) override {
+    pairs_.contacts.add({.first = first, .second = second, .row = row(first, second), .begun = group_.time_});
+    task.contacts = pairs_.contacts.view();
+    task.tally.starts += wall_ ? 0.5 : 1.0;
+  }
+  void meet_again(ForceTask& task, std::uint32_t k) override {
+    const std::uint32_t first = pairs_.contacts.first[k], second = pairs_.contacts.second[k];
+    pairs_.contacts.put(k, {.first = first, .second = second, .row = row(first, second), .begun = group_.time_});
+    task.tally.starts += wall_ ? 0.5 : 1.0;
+  }
+  void part(ForceTask&, std::uint32_t k) override { pairs_.contacts.state[k] = apart; }
+  void make_room(ForceTask&) override {}  // nothing is deferred: all spheres are this thread's
+
+ private:
+  [[nodiscard]] std::uint32_t row(std::uint32_t first, std::uint32_t second) const {
+    const auto& kind = group_.spheres_.kind;
+    return group_.laws_->rows(wall_).row_of(kind[first], wall_ ? 0 : kind[sphere_of(second)]);
+  }
+
+  DemGroup& group_;
+  Pairs& pairs_;
+  bool wall_;
+};
+
+template <class Visit>
+void DemGroup::each_list(Visit&& visit) {
+  visit(pairs_, static_cast<const WallView*>(nullptr));
+  for (std::size_t w = 0; w < walls_.size(); ++w) visit(walls_[w], &laws_->walls()[w]);
+}
+
+std::uint32_t DemGroup::add(const GroupSphere& sphere) {
+  const std::uint32_t k = count();
+  everyone_.push_back(k);
+  spheres_.id.push_back(k);
+  spheres_.position.push_back(quad(sphere.position, sphere.radius));
+  spheres_.velocity.push_back(quad(sphere.velocity, 1 / sphere.mass));
+  spheres_.seen_velocity.push_back(spheres_.velocity.back());
+  // Without laws that turn them spins are kept and left alone.
+  const Quad spin = quad(sphere.spin, 1 / (0.4 * sphere.mass * sphere.radius * sphere.radius));
+  spheres_.spin.push_back(spin), spheres_.seen_spin.push_back(spin);
+  spheres_.force.emplace_back(), spheres_.torque.emplace_back();
+  spheres_.kind.push_back(laws_->kind_number({sphere.radius, sphere.material}));
+  material_.push_back(sphere.material);
+  return k;
+}
+
+void DemGroup::add(const ContactMemory& contact) {
+  const bool wall = contact.second < 0;
+  Contact added{.first = static_cast<std::uint32_t>(contact.first),
+                .second = wall ? no_image : packed(static_cast<std::uint32_t>(contact.second), no_image),
+                .state = contact.touching ? touching : bridged,
+                .begun = contact.begun,
+                .slide = quad(contact.sliding, 0),
+                .roll = quad(contact.rolling, 0)};
+  each_list([&](Pairs& pairs, const WallView* at) {
+    if (wall ? !at || wall_number(at->axis, at->side > 0) != contact.second : at != nullptr) return;
+    const auto& kind = spheres_.kind;
+    added.row = laws_->rows(wall).row_of(kind[added.first], wall ? 0 : kind[sphere_of(added.second)]);
+    pairs.contacts.slides = laws_->slides_, pairs.contacts.rolls = laws_->rolls_;
+    pairs.contacts.add(added);
+  });
+}
+
+void DemGroup::absorb(const DemGroup& other, const Eigen::Vector3d& shift, const Eigen::Vector3d& drift) {
+  const auto before = static_cast<std::int32_t>(count());
+  for (std::uint32_t k = 0; k < other.count(); ++k) {
+    GroupSphere sphere = other.sphere(k);
+    sphere.position += shift, sphere.velocity += drift;
+    add(sphere);
+  }
+  for (ContactMemory contact : other.contacts()) {
+    contact.first += before;
+    if (contact.second >= 0) contact.second += before;
+    add(contact);
+  }
+}
+
+DemGroup DemGroup::part(std::span<const std::uint32_t> which) const {
+  DemGroup group(*laws_, time_);
+  std::vector<std::int32_t> number(count(), -1);
+  for (const std::uint32_t k : which) number[k] = static_cast<std::int32_t>(group.add(sphere(k)));
+  for (ContactMemory contact : contacts()) {
+    const std::int32_t first = number[static_cast<std::size_t>(contact.first)];
+    if (first < 0) continue;
+    contact.first = first;
+    if (contact.second >= 0) contact.second = number[static_cast<std::size_t>(contact.second)];
+    group.add(contact);
+  }
+  return group;
+}
+
+GroupSphere DemGroup::sphere(std::uint32_t k) const {
+  return {position(k), velocity(k), vector(spheres_.spin[k]), radius(k), 1 / spheres_.velocity[k].w, material_[k]};
+}
+Eigen::Vector3d DemGroup::position(std::uint32_t k) const { return vector(spheres_.position[k]); }
+Eigen::Vector3d DemGroup::velocity(std::uint32_t k) const { return vector(spheres_.velocity[k]); }
+
+std::vector<ContactMemory> DemGroup::contacts() const {
+  std::vector<ContactMemory> memories;
+  const auto put = [&](const Contacts& contacts, std::int32_t wall) {
+    for (std::uint32_t k = 0; k < contacts.count; ++k) {
+      if (contacts.state[k] == apart) continue;
+      const Contact contact = contacts.get(k);
+      memories.push_back({.first = static_cast<std::int32_t>(contact.first),
+                          .second = wall < 0 ? wall : static_cast<std::int32_t>(sphere_of(contact.second)),
+                          .touching = contact.state == touching,
+                          .begun = contact.begun,
+                          .sliding = vector(contact.slide),
+                          .rolling = vector(contact.roll)});
+    }
+  };
+  put(pairs_.contacts, 0);
+  for (std::size_t w = 0; w < walls_.size(); ++w) {
+    const WallView& wall = laws_->walls()[w];
+    put(walls_[w].contacts, wall_number(wall.axis, wall.side > 0));
+  }
+  return memories;
+}
+
+void DemGroup::find_near(double margin) {
+  each_list([&](Pairs& pairs, const WallView* wall) {
+    Contacts& contacts = pairs.contacts;
+    contacts.slides = laws_->slides_, contacts.rolls = laws_->rolls_;
+    contacts.tidy();
+    std::vector<std::uint64_t> known;
+    const auto key = [](std::uint64_t a, std::uint64_t b) { return std::min(a, b) << 32 | std::max(a, b); };
+    for (std::uint32_t k = 0; k < contacts.count; ++k)
+      known.push_back(key(contacts.first[k], wall ? contacts.first[k] : sphere_of(contacts.second[k])));
+    std::sort(known.begin(), known.end());
+    const auto is_contact = [&](std::uint32_t i, std::uint32_t j) { return std::binary_search(known.begin(), known.end(), key(i, j)); };
+    pairs.near_count = 0;
+    const auto put = [&](std::uint32_t i, std::uint32_t second) {
+      if (pairs.near_count == pairs.near_first.size()) pairs.reserve(2 * pairs.near_count + 8);
+      pairs.near_first[pairs.near_count] = i, pairs.near_second[pairs.near_count++] = second;
+    };
+    for (std::uint32_t i = 0; i < count(); ++i) {
+      const Quad& here = spheres_.position[i];
+      if (wall) {
+        if (wall->side * (wall->place - (&here.x)[wall->axis]) - here.w < margin && !is_contact(i, i)) put(i, no_image);
+        continue;
+      }
+      for (std::uint32_t j = i + 1; j < count(); ++j) {
+        const Quad& there = spheres_.position[j];
+        const double reach = here.w + there.w + margin;
+        if ((vector(there) - vector(here)).squaredNorm() < reach * reach && !is_contact(i, j)) put(i, packed(j, no_image));
+      }
+    }
+  });
+}
+
+ForceTask DemGroup::task(Pairs& pairs, const WallView* wall) {
+  const LawRows& rows = laws_->rows(wall != nullptr);
+  const MappedLaws& mapped = rows.mapped();
+  SpheresView spheres = spheres_.view();
+  if (!laws_->turns()) spheres.spin = nullptr;
+  return {.spheres = spheres,
+          .near = pairs.near(),
+          .contacts = pairs.contacts.view(),
+          .rows = rows.rows(),
+          .one_row = rows.one(),
+          .hold = rows.hold(),
+          .bridge = rows.bridge(),
+          .shift = laws_->images_.shift.data(),
+          .shift_velocity = laws_->images_.velocity.data(),
+          .wall = wall,
+          .length = mapped.length,
+          .spin = mapped.spin,
+          .force = mapped.force,
+          .torque = mapped.torque,
+          .radius_share = rows.radius_share(),
+          .turns = laws_->turns(),
+          .sums_moment = true,
+          .own_begin = 0,
+          .own_end = count()};
+}
+
+void DemGroup::find_contacts() {
+  each_list([&](Pairs& pairs, const WallView* wall) {
+    if (pairs.near_count == 0) return;
+    ForceTask finding = task(pairs, wall);
+    Keeper keeper(*this, pairs, wall != nullptr);
+    finding.keeper = &keeper;
+    laws_->kernel_->find_contacts(finding);
+    totals_.contact_starts += finding.tally.starts;
+  });
+}
+
+void DemGroup::add_forces(double before, double after, double step) {
+  each_list([&](Pairs& pairs, const WallView* wall) {
+    if (pairs.contacts.count == 0) return;
+    ForceTask forces = task(pairs, wall);
+    Keeper keeper(*this, pairs, wall != nullptr);
+    forces.keeper = &keeper;
+    forces.history_step = before, forces.history_after = after;
+    laws_->kernel_->forces(forces);
+    totals_.contact_starts += forces.tally.starts;
+    totals_.contact_time += forces.tally.touches * step;
+    totals_.wall_work += forces.tally.wall_power * step;
+    for (int a = 0; a < 3; ++a) {
+      for (int b = 0; b < 3; ++b) totals_.contact_moment(a, b) += forces.tally.moment[3 * a + b] * step;
+    }
+  });
+}
+
+void DemGroup::move(double step) {
+  const Eigen::Vector3d& gravity = laws_->gravity();
+  MoveTask moving{.spheres = spheres_.view(), .estimate = spheres_.seen_velocity.data(), .step = step};
+  if (laws_->turns()) {
+    moving.estimate_spin = spheres_.seen_spin.data();
+  } else {
+    moving.spheres.spin = nullptr;
+  }
+  moving.pushed = everyone_.data(), moving.pushed_count = count();
+  moving.end = count();
+  moving.gravity = quad(gravity, 0);
+  laws_->kernel_->move(moving);
+}
+
+void DemGroup::kick(double time) {
+  const Eigen::Vector3d& gravity = laws_->gravity();
+  for (std::uint32_t k = 0; k < count(); ++k) {
+    Quad &v = spheres_.velocity[k], &w = spheres_.spin[k];
+    const Quad &f = spheres_.force[k], &t = spheres_.torque[k];
+    v = {v.x + time * (v.w * f.x + gravity.x()), v.y + time * (v.w * f.y + gravity.y()), v.z + time * (v.w * f.z + gravity.z()), v.w};
+    if (laws_->turns()) w = {w.x + time * w.w * t.x, w.y + time * w.w * t.y, w.z + time * w.w * t.z, w.w};
+  }
+}
+
+void DemGroup::advance_to(double time, double margin) {
+  const double steps = std::ceil((time - time_) / laws_->step() * (1 - 1e-12));
+  if (!(steps >= 1)) return;
+  const double step = (time - time_) / steps;
+  find_near(margin);
+  // The forces of now, from which histories go on and velocities are set half a step back.
+  spheres_.seen_velocity = spheres_.velocity, spheres_.seen_spin = spheres_.spin;
+  find_contacts();
+  add_forces(0, step / 2, step / 2);
+  kick(-step / 2);
+  const double start = time_;
+  for (double k = 1; k <= steps; ++k) {
+    move(step);
+    time_ = k < steps ? start + k * step : time;
+    find_contacts();
+    // The sums by the trapezoidal rule.
+    add_forces(step / 2, k < steps ? step / 2 : 0, k < steps ? step : step / 2);
+  }
+  kick(step / 2);
+  for (std::uint32_t k = 0; k < count(); ++k) spheres_.force[k] = spheres_.torque[k] = {};
+  totals_.steps += static_cast<long>(steps) * count();
+}
+
+double DemGroup::kinetic_energy() const {
+  double twice = 0;
+  for (std::uint32_t k = 0; k < count(); ++k) {
+    const Quad &v = spheres_.velocity[k], &w = spheres_.spin[k];
+    twice += vector(v).squaredNorm() / v.w + vector(w).squaredNorm() / w.w;
+  }
+  return twice / 2;
+}
+
+double DemGroup::elastic_energy() const {
+  double energy = spring_energy(pairs_.contacts, laws_->rows(false), [&](std::uint32_t k) {
+    const Quad &here = spheres_.position[pairs_.contacts.first[k]], &there = spheres_.position[sphere_of(pairs_.contacts.second[k])];
+    return (vector(there) - vector(here)).norm() - here.w - there.w;
+  });
+  for (std::size_t w = 0; w < walls_.size(); ++w) {
+    const WallView& wall = laws_->walls()[w];
+    energy += spring_energy(walls_[w].contacts, laws_->rows(true), [&](std::uint32_t k) {
+      const Quad& here = spheres_.position[walls_[w].contacts.first[k]];
+      return wall.side * (wall.place - (&here.x)[wall.axis]) - here.w;
+    });
+  }
+  return energy;
+}
+
+GroupTotals DemGroup::take_totals() { return std::exchange(totals_, {}); }
+
+}  // namespace scalebreak

@@ -1,0 +1,89 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include <scalebreak/dem/group/group_laws.hpp>
+#include <scalebreak/dem/lists/pairs.hpp>
+#include <scalebreak/dem/spheres.hpp>
+#include <scalebreak/scene/system.hpp>
+
+namespace scalebreak {
+
+/// A sphere that comes into a group, or leaves it, SI.
+struct GroupSphere {
+  Eigen::Vector3d position{0, 0, 0}, velocity{0, 0, 0}, spin{0, 0, 0};
+  double radius = 0, mass = 0;
+  std::uint8_t material = 0;
+};
+
+/// What a group's contacts did since it was last asked.
+struct GroupTotals {
+  double contact_starts = 0;  ///< of a sphere at a wall ½
+  double contact_time = 0;    ///< [s]; of a sphere at a wall ½
+  double wall_work = 0;       ///< done by moving walls on the spheres [J]
+  Eigen::Matrix3d contact_moment = Eigen::Matrix3d::Zero();  ///< −∫Σ force branchᵀ dt [N m s]
+  long steps = 0;             ///< of all spheres together
+};
+
+/// A few spheres, of which all may touch each other and the walls, in open space: the laws and the loops of Dem without its lists. Between two
+/// calls the state is one of an instant: velocities, spins and histories too. Integrated by velocity Verlet with velocities of the
+/// forces' instant, histories half before and half after each force.
+class DemGroup {
+ public:
+  /// Keeps a pointer to the laws.
+  DemGroup(const GroupLaws& laws, double time) : laws_(&laws), time_(time), walls_(laws.walls().size()) {}
+
+  /// Returns its number. Numbers are those of the order in which spheres came.
+  std::uint32_t add(const GroupSphere& sphere);
+  /// A contact that goes on: `first` and `second` (or the wall) are numbers in this group.
+  void add(const ContactMemory& contact);
+  /// Puts another group's spheres behind the own, moved by a vector and a velocity. Both must be of one time.
+  void absorb(const DemGroup& other, const Eigen::Vector3d& shift, const Eigen::Vector3d& drift);
+  /// Some of the spheres and the contacts among them, as a group.
+  [[nodiscard]] DemGroup part(std::span<const std::uint32_t> which) const;
+
+  /// To a time, by equal steps of at most laws.step(). What lies further apart than `margin` now is taken not to touch on the way [m].
+  void advance_to(double time, double margin);
+  /// The clock alone.
+  void set_time(double time) { time_ = time; }
+
+  [[nodiscard]] double time() const { return time_; }
+  [[nodiscard]] std::uint32_t count() const { return spheres_.count(); }
+  [[nodiscard]] GroupSphere sphere(std::uint32_t k) const;
+  [[nodiscard]] Eigen::Vector3d position(std::uint32_t k) const;
+  [[nodiscard]] Eigen::Vector3d velocity(std::uint32_t k) const;
+  [[nodiscard]] double radius(std::uint32_t k) const { return spheres_.position[k].w; }
+  /// Contacts in which something acts; numbers of this group.
+  [[nodiscard]] std::vector<ContactMemory> contacts() const;
+  [[nodiscard]] double kinetic_energy() const;  ///< with rotation [J]
+  [[nodiscard]] double elastic_energy() const;  ///< of all springs [J]
+  /// Since they were last taken.
+  [[nodiscard]] GroupTotals take_totals();
+
+ private:
+  class Keeper;
+
+  void find_near(double margin);
+  void find_contacts();
+  void add_forces(double before, double after, double step);
+  void move(double step);
+  void kick(double time);
+  [[nodiscard]] dem::ForceTask task(dem::Pairs& pairs, const dem::WallView* wall);
+  template <class Visit>
+  void each_list(Visit&& visit);
+
+  const GroupLaws* laws_;
+  double time_;
+  dem::Spheres spheres_;
+  std::vector<std::uint8_t> material_;
+  std::vector<std::uint32_t> everyone_;  ///< 0 … count − 1
+  dem::Pairs pairs_;
+  std::vector<dem::Pairs> walls_;
+  GroupTotals totals_;
+};
+
+}  // namespace scalebreak
