@@ -251,8 +251,8 @@ void DemGroup::kick(double time) {
 }
 
 void DemGroup::advance_to(double time, double margin) {
-  const double steps = std::ceil((time - time_) / laws_->step() * (1 - 1e-12));
-  if (!(steps >= 1)) return;
+  if (!(time > time_)) return;
+  const double steps = std::max(1.0, std::ceil((time - time_) / laws_->step() * (1 - 1e-12)));
   const double step = (time - time_) / steps;
   find_near(margin);
   // The forces of now, from which histories go on and velocities are set half a step back.
@@ -271,6 +271,13 @@ void DemGroup::advance_to(double time, double margin) {
   kick(step / 2);
   for (std::uint32_t k = 0; k < count(); ++k) spheres_.force[k] = spheres_.torque[k] = {};
   totals_.steps += static_cast<long>(steps) * count();
+}
+
+void DemGroup::begin_at(double time) {
+  each_list([&](Pairs& pairs, const WallView*) {
+    for (std::uint32_t k = 0; k < pairs.contacts.count; ++k) pairs.contacts.begun[k] += time - time_;
+  });
+  time_ = time;
 }
 
 double DemGroup::kinetic_energy() const {

@@ -48,10 +48,11 @@ class DemGroup {
 
   /// To a time, by equal steps of at most laws.step(). What lies further apart than `margin` now is taken not to touch on the way [m].
   void advance_to(double time, double margin);
-  /// The clock alone.
-  void set_time(double time) { time_ = time; }
+  /// Makes this instant another one of the clock.
+  void begin_at(double time);
 
   [[nodiscard]] double time() const { return time_; }
+  [[nodiscard]] const GroupLaws& laws() const { return *laws_; }
   [[nodiscard]] std::uint32_t count() const { return spheres_.count(); }
   [[nodiscard]] GroupSphere sphere(std::uint32_t k) const;
   [[nodiscard]] Eigen::Vector3d position(std::uint32_t k) const;

@@ -53,7 +53,8 @@ EngineTotals DemEngine::totals() const {
           .steps = dem_.steps(),
           .events = {},
           .integrated = {},
-          .delayed = {}};
+          .delayed = {},
+          .patches = {}};
 }
 
 std::string DemEngine::save() const {

@@ -15,43 +15,67 @@ namespace {
 /// errors of single collisions that lean to no side; a pair's own collision is asked for with a hundredth of it.
 constexpr PairTolerance flow_tolerance{.turning = 1e-2};
 
-TableRule saved_rule(std::string_view& saved, const Input& input, const TableStore& store) {
+Unanswered unanswered(const GroupLaws* groups) { return groups ? Unanswered::leave : Unanswered::integrate; }
+
+std::unique_ptr<GroupLaws> group_laws(const std::optional<DemSetup>& setup, const Cell& cell, const std::vector<SphereKind>& kinds) {
+  if (!setup) return nullptr;
+  std::vector<dem::LawRows::Kind> of_groups;
+  for (const SphereKind& kind : kinds) of_groups.push_back({kind.radius, kind.material});
+  return std::make_unique<GroupLaws>(*setup, cell, of_groups);
+}
+
+std::unique_ptr<GroupLaws> saved_group_laws(const std::optional<DemSetup>& setup, std::string_view saved) {
+  std::vector<Cell> cell;
   std::vector<SphereKind> kinds;
-  take_list(saved, kinds);
-  TableRule rule(input, std::move(kinds), store, flow_tolerance);
-  rule.load(saved);
-  return rule;
+  take_list(saved, cell), take_list(saved, kinds);
+  return group_laws(setup, cell.front(), kinds);
 }
 
 /// The rule takes its part off the front first.
-EventSpheres<CalendarQueue, TableRule> saved_spheres(std::string_view saved, const Input& input, const TableStore& store) {
-  TableRule rule = saved_rule(saved, input, store);
-  return {saved, {.gravity = input.cell.gravity}, std::move(rule)};
+EventSpheres<CalendarQueue, TableRule> saved_spheres(std::string_view saved, const Input& input, const TableStore& store,
+                                                     const GroupLaws* groups) {
+  std::vector<Cell> cell;
+  std::vector<SphereKind> kinds;
+  take_list(saved, cell), take_list(saved, kinds);
+  TableRule rule(input, std::move(kinds), store, flow_tolerance, unanswered(groups));
+  rule.load(saved);
+  return {saved, {.gravity = input.cell.gravity, .groups = groups}, std::move(rule)};
 }
 
 }  // namespace
 
-EventEngine::EventEngine(const System& start, const Input& input, const TableStore& store)
-    : spheres_(start, {.gravity = input.cell.gravity}, TableRule(input, kinds_of(start), store, flow_tolerance)) {}
+EventEngine::EventEngine(const System& start, const Input& input, const TableStore& store, const std::optional<DemSetup>& groups)
+    : groups_(group_laws(groups, start.cell, kinds_of(start))),
+      spheres_(start, {.gravity = input.cell.gravity, .groups = groups_.get()},
+               TableRule(input, kinds_of(start), store, flow_tolerance, unanswered(groups_.get()))) {}
 
-EventEngine::EventEngine(std::string_view saved, const Input& input, const TableStore& store) : spheres_(saved_spheres(saved, input, store)) {}
+EventEngine::EventEngine(std::string_view saved, const Input& input, const TableStore& store, const std::optional<DemSetup>& groups)
+    : groups_(saved_group_laws(groups, saved)), spheres_(saved_spheres(saved, input, store, groups_.get())) {}
 
 EngineTotals EventEngine::totals() const {
   const EventTotals& totals = spheres_.totals();
   const long events = totals.collisions + totals.wall_collisions;
-  return {.contact_starts = static_cast<double>(totals.collisions) + static_cast<double>(totals.wall_collisions) / 2,
+  return {.contact_starts = static_cast<double>(totals.collisions) + static_cast<double>(totals.wall_collisions) / 2 + totals.patch_starts,
           .wall_work = totals.wall_work,
           .shear_work = {},  // its kinetic part is taken at samples
           .dissipated = totals.dissipated,
           .contact_time = totals.contact_time,
           .contact_moment = totals.contact_moment,
           .events = events,
-          .integrated = spheres_.rule().integrated(),
-          .delayed = spheres_.rule().delayed()};
+          .integrated = groups_ ? 0 : spheres_.rule().integrated(),
+          .delayed = spheres_.rule().delayed(),
+          .patches = groups_ ? std::optional(PatchTotals{.begun = totals.patches,
+                                                         .taken_back = totals.taken_back,
+                                                         .unresolved = spheres_.rule().integrated(),
+                                                         .sphere_steps = totals.patch_steps,
+                                                         .contact_starts = totals.patch_starts,
+                                                         .sphere_time = totals.patch_time})
+                             : std::nullopt};
 }
 
 std::string EventEngine::save() const {
   std::string bytes;
+  put_list(bytes, std::vector<Cell>{spheres_.cell()});
   put_list(bytes, spheres_.rule().kinds());
   spheres_.rule().save(bytes);
   return bytes + spheres_.save();

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <memory>
+#include <optional>
 #include <string_view>
 
 #include <scalebreak/ensembles/engine/flow_engine.hpp>
@@ -9,13 +11,14 @@
 
 namespace scalebreak {
 
-/// The event-driven engine in a run: spheres whose collisions are looked up, each as if it were alone.
+/// The event-driven engine in a run: spheres whose collisions are looked up, each as if it were alone; or, given how groups are stepped, the
+/// hybrid, which integrates those that are not.
 class EventEngine final : public FlowEngine {
  public:
-  /// Throws InputError where the input's laws have no tables, or its spheres do not fit the cell.
-  EventEngine(const System& start, const Input& input, const TableStore& store);
-  /// Goes on with the same input.
-  EventEngine(std::string_view saved, const Input& input, const TableStore& store);
+  /// Throws InputError where the input's laws have no tables and there are no groups, or its spheres do not fit the cell.
+  EventEngine(const System& start, const Input& input, const TableStore& store, const std::optional<DemSetup>& groups = {});
+  /// Goes on with the same input and groups.
+  EventEngine(std::string_view saved, const Input& input, const TableStore& store, const std::optional<DemSetup>& groups = {});
 
   void advance_to(double time) override { spheres_.advance_to(time); }
   void keep_sums(bool) override {}  // they cost nothing
@@ -23,10 +26,11 @@ class EventEngine final : public FlowEngine {
   [[nodiscard]] System system() const override { return spheres_.system(); }
   [[nodiscard]] std::vector<ContactForce> contact_forces() const override { return {}; }
   [[nodiscard]] EngineTotals totals() const override;
-  [[nodiscard]] double elastic_energy() const override { return 0; }
+  [[nodiscard]] double elastic_energy() const override { return spheres_.elastic_energy(); }
   [[nodiscard]] std::string save() const override;
 
  private:
+  std::unique_ptr<GroupLaws> groups_;  ///< null: there are none
   EventSpheres<CalendarQueue, TableRule> spheres_;
 };
 

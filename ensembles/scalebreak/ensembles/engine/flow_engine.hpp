@@ -11,6 +11,16 @@
 
 namespace scalebreak {
 
+/// What a hybrid engine left to be integrated in patches of spheres.
+struct PatchTotals {
+  long begun = 0;             ///< patches
+  long taken_back = 0;        ///< collisions of two that a third sphere disturbed after they had been put as instants
+  long unresolved = 0;        ///< collisions that no table answered
+  long sphere_steps = 0;      ///< steps of single spheres
+  double contact_starts = 0;  ///< in patches, at a wall ½
+  double sphere_time = 0;     ///< that spheres spent in patches [s]
+};
+
 /// Running totals of an engine since its start, as Sample wants them; what an engine does not keep is left out.
 struct EngineTotals {
   double contact_starts = 0;  ///< of a sphere at a wall ½
@@ -21,6 +31,7 @@ struct EngineTotals {
   std::optional<long> events;      ///< of an event-driven engine
   std::optional<long> integrated;  ///< of these, collisions that no table answered
   std::optional<long> delayed;     ///< and those put behind, TableRule::delayed
+  std::optional<PatchTotals> patches;
 };
 
 /// What a run needs of an engine that moves a flow on.

@@ -49,7 +49,11 @@ void EventSpheres<Queue, Rule>::advance_collisions(long collisions) {
 
 template <class Queue, class Rule>
 void EventSpheres<Queue, Rule>::look_ahead(std::uint32_t i) {
-  const Foreseen next = foresee(flight_, i, now_);
+  schedule(i, foresee(flight_, i, now_));
+}
+
+template <class Queue, class Rule>
+void EventSpheres<Queue, Rule>::schedule(std::uint32_t i, const Foreseen& next) {
   Agenda& agenda = flight_.agenda[i];
   agenda.partner = next.partner;
   if (next.partner.sphere() < most_flying_spheres) agenda.partner_changes = flight_.agenda[next.partner.sphere()].changes;
@@ -64,6 +68,7 @@ void EventSpheres<Queue, Rule>::happen(std::uint32_t i) {
       __builtin_prefetch(&flight_.agenda[k]);
     });
   }
+  if (patched(i)) return happen_in_patch(i);
   const Agenda& agenda = flight_.agenda[i];
   const Neighbour partner = agenda.partner;
   if (partner.sphere() == no_neighbour::list_ends) return end_list(i);
@@ -77,10 +82,18 @@ template <class Queue, class Rule>
 void EventSpheres<Queue, Rule>::end_list(std::uint32_t i) {
   constexpr double far_enough = 0.8;  // under gravity, or where the path has changed, it may be nearer than was foreseen
   if (share_of_allowance(flight_, i, now_) > far_enough) {
-    renew_list(flight_, i, now_);
-    ++totals_.lists;
+    list_anew(i);
   }
   look_ahead(i);
+}
+
+template <class Queue, class Rule>
+void EventSpheres<Queue, Rule>::list_anew(std::uint32_t i) {
+  ++totals_.lists;
+  if (!groups_) return renew_list(flight_, i, now_);
+  const Eigen::Vector3d position = flight_.position(i, now_), velocity = flight_.velocity(i, now_);
+  renew_list(flight_, i, now_);
+  carry_encounter(i, position, velocity);
 }
 
 template <class Queue, class Rule>
@@ -93,6 +106,7 @@ Meeting::Body EventSpheres<Queue, Rule>::meeting_body(std::uint32_t i) const {
 template <class Queue, class Rule>
 void EventSpheres<Queue, Rule>::collide(std::uint32_t i, Neighbour partner) {
   const std::uint32_t j = partner.sphere();
+  if (patched(j) || busy(i) || busy(j)) return crowd(i, partner);
   const Images::Image& image = flight_.images[partner.image()];
   bring_up(flight_, i, now_);
   bring_up(flight_, j, now_);
@@ -101,27 +115,25 @@ void EventSpheres<Queue, Rule>::collide(std::uint32_t i, Neighbour partner) {
   Meeting meeting{branch.normalized(), meeting_body(i), meeting_body(j), branch.norm()};
   meeting.second.velocity += drift;
   const Parting parting = rule_.collide(meeting);
-
+  if constexpr (Rule::lasts) {
+    if (groups_) {
+      if (parting.unresolved) return crowd(i, partner);
+      if (disturbed(i, j, parting)) {
+        (void)rule_.take_back(meeting);
+        return crowd(i, partner);
+      }
+      keep_encounter(i, j, parting.contact_time);
+      keep_encounter(j, i, parting.contact_time);
+    }
+  }
+  account(meeting, parting, 1);
   first.velocity = parting.velocity[0];
   second.velocity = parting.velocity[1] - drift;
-  const double mass = meeting.first.mass * meeting.second.mass / (meeting.first.mass + meeting.second.mass);
-  const Eigen::Vector3d before = meeting.velocity(), after = parting.velocity[0] - parting.velocity[1];
-  Eigen::Vector3d branch_after = branch;
   if constexpr (Rule::displaces) {
     first.position += parting.shift[0];
     second.position += parting.shift[1];
-    branch_after += parting.shift[1] - parting.shift[0];
   }
-  totals_.dissipated += mass / 2 * (before.squaredNorm() - after.squaredNorm());
-  if constexpr (Rule::spins) {
-    for (const auto& [sphere, body, spin] : {std::tuple(i, &meeting.first, &parting.spin[0]), std::tuple(j, &meeting.second, &parting.spin[1])}) {
-      totals_.dissipated += 0.2 * body->mass * body->radius * body->radius * (body->spin.squaredNorm() - spin->squaredNorm());
-      spin_[sphere] = *spin;
-    }
-  }
-  totals_.contact_moment += mass * (before * branch.transpose() - after * branch_after.transpose());
-  totals_.contact_time += parting.contact_time;
-  ++totals_.collisions;
+  if constexpr (Rule::spins) spin_[i] = parting.spin[0], spin_[j] = parting.spin[1];
   --collisions_left_;
   ++flight_.agenda[i].changes;
   ++flight_.agenda[j].changes;
@@ -131,33 +143,68 @@ void EventSpheres<Queue, Rule>::collide(std::uint32_t i, Neighbour partner) {
 }
 
 template <class Queue, class Rule>
-void EventSpheres<Queue, Rule>::collide_with_wall(std::uint32_t i, std::uint32_t wall) {
+Meeting EventSpheres<Queue, Rule>::wall_meeting(std::uint32_t wall, const Meeting::Body& body) const {
   const int axis = static_cast<int>(wall / 2);
-  const bool upper = wall % 2 == 1;
-  bring_up(flight_, i, now_);
-  FlyingSphere& sphere = flight_.sphere[i];
-  Meeting meeting{(upper ? 1 : -1) * Eigen::Vector3d::Unit(axis), meeting_body(i), {.mass = never}, sphere.radius, true};
-  if (axis == 2) meeting.second.velocity.x() = (upper ? 1 : -1) * flight_.cell.wall_speed;
-  const Parting parting = rule_.collide(meeting);
+  const double side = wall % 2 == 1 ? 1 : -1;
+  Meeting meeting{side * Eigen::Vector3d::Unit(axis), body, {.mass = never}, body.radius, true};
+  if (axis == 2) meeting.second.velocity.x() = side * flight_.cell.wall_speed;
+  return meeting;
+}
 
-  const double mass = meeting.first.mass;
-  const Eigen::Vector3d impulse = mass * (parting.velocity[0] - sphere.velocity);
-  const Eigen::Vector3d before = meeting.velocity(), after = parting.velocity[0] - meeting.second.velocity;
+template <class Queue, class Rule>
+void EventSpheres<Queue, Rule>::collide_with_wall(std::uint32_t i, std::uint32_t wall) {
+  const Neighbour partner(no_neighbour::first_wall + wall, 0);
+  if (busy(i)) return crowd(i, partner);
+  bring_up(flight_, i, now_);
+  const Meeting meeting = wall_meeting(wall, meeting_body(i));
+  const Parting parting = rule_.collide(meeting);
+  if constexpr (Rule::lasts) {
+    if (groups_) {
+      if (parting.unresolved) return crowd(i, partner);
+      if (disturbed(i, partner.sphere(), parting)) {
+        (void)rule_.take_back(meeting);
+        return crowd(i, partner);
+      }
+      keep_encounter(i, partner.sphere(), parting.contact_time);
+    }
+  }
+  account(meeting, parting, 1);
+  FlyingSphere& sphere = flight_.sphere[i];
   sphere.velocity = parting.velocity[0];
   if constexpr (Rule::displaces) sphere.position += parting.shift[0];
-  totals_.dissipated += mass / 2 * (before.squaredNorm() - after.squaredNorm());
-  if constexpr (Rule::spins) {
-    totals_.dissipated += 0.2 * mass * sphere.radius * sphere.radius * (spin_[i].squaredNorm() - parting.spin[0].squaredNorm());
-    spin_[i] = parting.spin[0];
-  }
-  totals_.wall_work += impulse.dot(meeting.second.velocity);
-  totals_.contact_moment -= sphere.radius * impulse * meeting.normal.transpose();
-  totals_.contact_time += parting.contact_time / 2;
-  ++totals_.wall_collisions;
+  if constexpr (Rule::spins) spin_[i] = parting.spin[0];
   --collisions_left_;
   ++flight_.agenda[i].changes;
   look_ahead(i);
   watch_for_collapse();
+}
+
+template <class Queue, class Rule>
+void EventSpheres<Queue, Rule>::account(const Meeting& meeting, const Parting& parting, double sign) {
+  const Meeting::Body &first = meeting.first, &second = meeting.second;
+  const double mass = meeting.wall ? first.mass : first.mass * second.mass / (first.mass + second.mass);
+  const Eigen::Vector3d before = meeting.velocity(), branch = meeting.distance * meeting.normal;
+  const Eigen::Vector3d after = parting.velocity[0] - (meeting.wall ? second.velocity : parting.velocity[1]);
+  totals_.dissipated += sign * mass / 2 * (before.squaredNorm() - after.squaredNorm());
+  if constexpr (Rule::spins) {
+    const auto spent = [&](const Meeting::Body& body, const Eigen::Vector3d& spin) {
+      totals_.dissipated += sign * 0.2 * body.mass * body.radius * body.radius * (body.spin.squaredNorm() - spin.squaredNorm());
+    };
+    spent(first, parting.spin[0]);
+    if (!meeting.wall) spent(second, parting.spin[1]);
+  }
+  if (meeting.wall) {
+    const Eigen::Vector3d impulse = mass * (parting.velocity[0] - first.velocity);
+    totals_.wall_work += sign * impulse.dot(second.velocity);
+    totals_.contact_moment -= sign * impulse * branch.transpose();
+    totals_.contact_time += sign * parting.contact_time / 2;
+    totals_.wall_collisions += sign > 0 ? 1 : -1;
+    return;
+  }
+  const Eigen::Vector3d branch_after = branch + parting.shift[1] - parting.shift[0];
+  totals_.contact_moment += sign * mass * (before * branch.transpose() - after * branch_after.transpose());
+  totals_.contact_time += sign * parting.contact_time;
+  totals_.collisions += sign > 0 ? 1 : -1;
 }
 
 template <class Queue, class Rule>

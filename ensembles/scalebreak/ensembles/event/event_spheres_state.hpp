@@ -17,7 +17,8 @@
 namespace scalebreak {
 
 template <class Queue, class Rule>
-EventSpheres<Queue, Rule>::EventSpheres(const System& start, const EventSetup& setup, Rule rule) : rule_(std::move(rule)) {
+EventSpheres<Queue, Rule>::EventSpheres(const System& start, const EventSetup& setup, Rule rule)
+    : rule_(std::move(rule)), groups_(setup.groups) {
   flight_.cell = start.cell;
   flight_.gravity = setup.gravity;
   flight_.allowance = setup.allowance > 0 ? setup.allowance : fast_allowance(start);
@@ -29,28 +30,37 @@ EventSpheres<Queue, Rule>::EventSpheres(const System& start, const EventSetup& s
     body_.push_back({start.mass[i], i, start.material[i]});
   }
   spin_ = start.spin;
+  if (groups_) encounter_.resize(start.count()), patch_of_.assign(start.count(), no_patch);
   flight_.agenda.resize(start.count());
   queue_.reset(start.count());
   renew();
+  if (groups_) adopt(start.contacts), settle_all();
   totals_.renewals = 0;
 }
 
 template <class Queue, class Rule>
 void EventSpheres<Queue, Rule>::renew() {
+  if (groups_) bring_up_patches();
   flight_.cell = advanced(flight_.cell, now_);
   for (std::uint32_t i = 0; i < count(); ++i) {
     bring_up(flight_, i, now_);
+    const Eigen::Vector3d position = flight_.sphere[i].position, velocity = flight_.sphere[i].velocity;
     wrap(flight_.cell, flight_.sphere[i].position, flight_.sphere[i].velocity);
+    if (groups_) carry_encounter(i, position, velocity);
     flight_.sphere[i].time = 0;
   }
   base_ += now_;
+  if (groups_) carry_patches(now_);
   now_ = 0;
   flight_.images = Images(flight_.cell);
   reorder();
   make_lists(flight_);
   queue_operations_ += queue_.operations();
   queue_.reset(count());
-  for (std::uint32_t i = 0; i < count(); ++i) look_ahead(i);
+  for (std::uint32_t i = 0; i < count(); ++i) {
+    if (!patched(i)) look_ahead(i);
+  }
+  if (groups_) settle_all();
   // Before the cell's images, or references, have moved on by a quarter of its length: they are few.
   const double passing = std::abs(flight_.flow_rate) * flight_.cell.size.z();
   renew_at_ = passing > 0 ? flight_.cell.size.x() / 4 / passing : never;
@@ -74,6 +84,9 @@ void EventSpheres<Queue, Rule>::reorder() {
   apply(flight_.sphere);
   apply(body_);
   apply(spin_);
+  if (!groups_) return;
+  apply(encounter_);
+  renumber_patches(order);
 }
 
 template <class Queue, class Rule>
@@ -94,6 +107,9 @@ System EventSpheres<Queue, Rule>::system() const {
     system.spin[k] = spin_[i];
     wrap(system.cell, system.position[k], system.velocity[k]);
   }
+  for (const auto& patch : patch_) {
+    if (patch) tell_patch(*patch, system);
+  }
   return system;
 }
 
@@ -107,6 +123,7 @@ void EventSpheres<Queue, Rule>::go_through_numbers(Numbers&& number) {
   number(base_), number(now_), number(renew_at_), number(collisions_left_);
   number(watched_), number(watched_from_), number(longest_watch_);
   number(totals_.collisions), number(totals_.wall_collisions), number(totals_.stale), number(totals_.lists), number(totals_.renewals);
+  number(totals_.patches), number(totals_.taken_back), number(totals_.patch_steps), number(totals_.patch_starts), number(totals_.patch_time);
   number(totals_.wall_work), number(totals_.dissipated), number(totals_.contact_time);
   for (const Eigen::Index i : {0, 1, 2, 3, 4, 5, 6, 7, 8}) number(totals_.contact_moment(i));
 }
@@ -119,11 +136,13 @@ std::string EventSpheres<Queue, Rule>::save() const {
   put_list(bytes, body_), put_list(bytes, spin_);
   flight_.bins.save(bytes);
   for (std::uint32_t i = 0; i < count(); ++i) put_bytes(bytes, queue_.time_of(i));
+  if (groups_) save_patches(bytes);
   return bytes;
 }
 
 template <class Queue, class Rule>
-EventSpheres<Queue, Rule>::EventSpheres(std::string_view saved, const EventSetup& setup, Rule rule) : rule_(std::move(rule)) {
+EventSpheres<Queue, Rule>::EventSpheres(std::string_view saved, const EventSetup& setup, Rule rule)
+    : rule_(std::move(rule)), groups_(setup.groups) {
   flight_.gravity = setup.gravity;
   go_through_numbers([&](auto& value) { take_bytes(saved, value); });
   take_list(saved, flight_.sphere), take_list(saved, flight_.agenda), take_list(saved, flight_.pool);
@@ -137,6 +156,7 @@ EventSpheres<Queue, Rule>::EventSpheres(std::string_view saved, const EventSetup
     take_bytes(saved, time);
     queue_.schedule(i, time);
   }
+  if (groups_) load_patches(saved);
 }
 
 template <class Queue, class Rule>

@@ -28,6 +28,13 @@ inline constexpr double never = std::numeric_limits<double>::infinity();
   return std::max(0.0, gap / (std::sqrt(discriminant) - approach));
 }
 
+/// The square of the least distance that two centres a vector `apart`, in relative motion at `velocity`, come to within `horizon`.
+[[nodiscard]] inline double least_square_distance(const Eigen::Vector3d& apart, const Eigen::Vector3d& velocity, double horizon) {
+  const double square = velocity.squaredNorm();
+  const double time = square > 0 ? std::clamp(-apart.dot(velocity) / square, 0.0, horizon) : 0.0;
+  return (apart + time * velocity).squaredNorm();
+}
+
 /// When a height above a wall, changing at `velocity` and `acceleration`, falls to `radius`.
 [[nodiscard]] inline double time_to_wall(double height, double velocity, double acceleration, double radius) {
   const double gap = height - radius;

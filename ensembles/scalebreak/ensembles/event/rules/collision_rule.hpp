@@ -30,6 +30,7 @@ struct Parting {
   std::array<Eigen::Vector3d, 2> velocity, spin{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
   std::array<Eigen::Vector3d, 2> shift{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};  ///< [m]
   double contact_time = 0;                                                                ///< [s]
+  bool unresolved = false;  ///< the rule does not say, and the two are as they were
 };
 
 /// A collision as a rule of the event-driven engine. `spins`: it looks at spins and changes them; `displaces`: it uses `shift`;
@@ -38,6 +39,7 @@ template <class Rule>
 concept CollisionRule = requires(Rule rule, const Meeting& meeting) {
   { Rule::spins } -> std::convertible_to<bool>;
   { Rule::displaces } -> std::convertible_to<bool>;
+  { Rule::lasts } -> std::convertible_to<bool>;
   { rule.collide(meeting) } -> std::same_as<Parting>;
 };
 

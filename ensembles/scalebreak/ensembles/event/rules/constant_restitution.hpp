@@ -10,7 +10,7 @@ namespace scalebreak {
 
 /// Smooth spheres: a constant share of the normal speed comes back; 1 is elastic.
 struct SmoothRule {
-  static constexpr bool spins = false, displaces = false;
+  static constexpr bool spins = false, displaces = false, lasts = false;
   double restitution = 1;
 
   [[nodiscard]] Parting collide(const Meeting& meeting) const {
@@ -23,7 +23,7 @@ struct SmoothRule {
 /// Rough solid spheres: constant shares of the normal and of the sliding speed of the surfaces come back, the latter between −1 (no
 /// friction) and 1 (Huthmann & Zippelius, Phys. Rev. E 56, R6275 (1997)). A contact that does not slide back keeps its twist.
 struct RoughRule {
-  static constexpr bool spins = true, displaces = false;
+  static constexpr bool spins = true, displaces = false, lasts = false;
   double restitution = 1, surface_restitution = 0;
 
   [[nodiscard]] Parting collide(const Meeting& meeting) const {

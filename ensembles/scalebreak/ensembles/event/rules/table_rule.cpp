@@ -29,12 +29,16 @@ Input pair_input(const Input& flow, const std::vector<std::pair<double, std::uin
   return pair;
 }
 
-std::unique_ptr<PairResolver> resolver_of(const Input& pair, const TableStore& store, const PairTolerance& tolerance) {
+std::unique_ptr<PairResolver> resolver_of(const Input& pair, const TableStore& store, const PairTolerance& tolerance, Unanswered unanswered) {
+  const bool leaves = unanswered == Unanswered::leave;
+  if (leaves && (find_scaling_law(pair.scaling_law)->direct_force || pair.surface.attraction != Attraction::none)) return nullptr;
   auto resolver = std::make_unique<PairResolver>(pair, store, tolerance);
-  if (const Refusal refusal = resolver->standing_refusal(); refusal != Refusal::none)
+  if (const Refusal refusal = resolver->standing_refusal(); refusal != Refusal::none) {
+    if (leaves) return nullptr;
     throw InputError(fmt::format("contact: between spheres of radii {} m no collision table can serve ({}); allowed in an event-driven run: laws and "
                                  "sizes that have one, or {}",
                                  fmt::join(pair.radius, " and "), to_string(refusal), other_engine));
+  }
   return resolver;
 }
 
@@ -60,9 +64,10 @@ std::vector<SphereKind> kinds_of(const System& system) {
   return kinds;
 }
 
-TableRule::TableRule(const Input& input, std::vector<SphereKind> kinds, const TableStore& store, const PairTolerance& tolerance)
-    : kinds_(std::move(kinds)), wall_no_slip_(input.cell.wall_no_slip) {
-  refuse_laws_without_tables(input);
+TableRule::TableRule(const Input& input, std::vector<SphereKind> kinds, const TableStore& store, const PairTolerance& tolerance,
+                     Unanswered unanswered)
+    : kinds_(std::move(kinds)), unanswered_(unanswered), wall_no_slip_(input.cell.wall_no_slip) {
+  if (unanswered == Unanswered::integrate) refuse_laws_without_tables(input);
   if (kinds_.size() > most_kinds)
     throw InputError(fmt::format("particles.size: found spheres of more than {} radii; allowed in an event-driven run: \"mono\" or \"bidisperse\", "
                                  "or {}",
@@ -72,8 +77,8 @@ TableRule::TableRule(const Input& input, std::vector<SphereKind> kinds, const Ta
   for (const SphereKind& first : kinds_) {
     for (const SphereKind& second : kinds_)
       pairs_.push_back(
-          resolver_of(pair_input(input, {{first.radius, first.material}, {second.radius, second.material}}), store, tolerance));
-    if (walled) walls_.push_back(resolver_of(pair_input(input, {{first.radius, first.material}}), store, tolerance));
+          resolver_of(pair_input(input, {{first.radius, first.material}, {second.radius, second.material}}), store, tolerance, unanswered));
+    if (walled) walls_.push_back(resolver_of(pair_input(input, {{first.radius, first.material}}), store, tolerance, unanswered));
   }
 }
 
@@ -83,24 +88,39 @@ std::size_t TableRule::kind_of(const Meeting::Body& body) const {
   return kind;
 }
 
-const PairResolver& TableRule::resolver(const Meeting& meeting) const {
+const PairResolver* TableRule::resolver(const Meeting& meeting) const {
   const std::size_t first = kind_of(meeting.first);
-  return meeting.wall ? *walls_[first] : *pairs_[first * kinds_.size() + kind_of(meeting.second)];
+  return (meeting.wall ? walls_[first] : pairs_[first * kinds_.size() + kind_of(meeting.second)])
+      .get();
 }
 
-Parting TableRule::collide(const Meeting& meeting) {
+Parting TableRule::collide(const Meeting& meeting) { return answer(meeting, 1); }
+
+Parting TableRule::take_back(const Meeting& meeting) { return answer(meeting, -1); }
+
+Parting TableRule::answer(const Meeting& meeting, int count) {
   const double normal_speed = meeting.velocity().dot(meeting.normal);
   if (normal_speed <= 0)  // by rounding, of two that only just touch
     return {.velocity = {meeting.first.velocity, meeting.second.velocity}, .spin = {meeting.first.spin, meeting.second.spin}};
-  const PairResolver& pair = resolver(meeting);
+  const PairResolver* const pair = resolver(meeting);
+  const auto counted = [&](Refusal refusal) -> long& { return counts_[static_cast<std::size_t>(refusal)]; };
+  const Parting unresolved{
+      .velocity = {meeting.first.velocity, meeting.second.velocity}, .spin = {meeting.first.spin, meeting.second.spin}, .unresolved = true};
+  if (!pair) {
+    counted(Refusal::no_table) += count;
+    return unresolved;
+  }
   const bool loses_spin = meeting.wall && wall_no_slip_;
   const Eigen::Vector3d still = meeting.wall ? meeting.second.velocity : Eigen::Vector3d::Zero();  // the engine's wall rests
   PairImpact impact{.normal = meeting.normal,
                     .velocity = {meeting.first.velocity - still, meeting.second.velocity - still},
                     .spin = {loses_spin ? Eigen::Vector3d::Zero() : meeting.first.spin, meeting.second.spin}};
-  PairOutcome outcome = pair.look_up(impact);
-  ++counts_[static_cast<std::size_t>(outcome.refusal)];
-  if (outcome.refusal != Refusal::none) outcome = pair.integrate(impact);
+  PairOutcome outcome = pair->look_up(impact);
+  counted(outcome.refusal) += count;
+  if (outcome.refusal != Refusal::none) {
+    if (unanswered_ == Unanswered::leave) return unresolved;
+    outcome = pair->integrate(impact);
+  }
   if (outcome.stuck)
     throw WorkError(fmt::format("{} met at {:.3g} m/s and stick together, which an event cannot say; allowed: a flow that is faster or adheres "
                                 "less, or {}",
@@ -113,7 +133,7 @@ Parting TableRule::collide(const Meeting& meeting) {
   constexpr double almost = 0.9;
   if (const double nearest = almost * parted.dot(velocity) / velocity.squaredNorm(); !meeting.wall && nearest < back) {
     back = std::max(nearest, 0.0);
-    ++delayed_;
+    delayed_ += count;
   }
   const Eigen::Vector3d shift = outcome.displacement - back * velocity;
   const double share = meeting.wall ? 1 : meeting.second.mass / (meeting.first.mass + meeting.second.mass);

@@ -23,21 +23,27 @@ struct SphereKind {
 /// Throws InputError for laws that no collision table describes: scaling laws that map forces, liquids.
 void refuse_laws_without_tables(const Input& input);
 
+/// What is done with a collision that no table answers: the exact engine resolves it, or it is left to who asks.
+enum class Unanswered { integrate, leave };
+
 /// Collisions of soft spheres by the tables of an input's laws, under its scaling law: each as if no third sphere were near, with its
 /// effective distance, so that both spheres fly on where an isolated soft collision would have left them. Where a table does not answer
 /// (the contact turns too far, or is beyond it) the exact engine does, and it is counted.
 class TableRule {
  public:
-  static constexpr bool spins = true, displaces = true;
+  static constexpr bool spins = true, displaces = true, lasts = true;
   /// Radii and materials that a flow may have: each pair of them has its own tables in memory.
   static constexpr std::size_t most_kinds = 8;
 
   /// Obtains the tables of all pairs of spheres that a flow has. Throws InputError where no table can serve: laws that act at a distance or
-  /// map forces, rolling between unlike spheres, more than `most_kinds`.
-  TableRule(const Input& input, std::vector<SphereKind> kinds, const TableStore& store, const PairTolerance& tolerance = {});
+  /// map forces, rolling between unlike spheres; these are never answered where what is not is left. Of more than `most_kinds` always.
+  TableRule(const Input& input, std::vector<SphereKind> kinds, const TableStore& store, const PairTolerance& tolerance = {},
+            Unanswered unanswered = Unanswered::integrate);
 
-  /// Throws WorkError where the two stick.
+  /// Throws WorkError where the two stick and nothing is left.
   [[nodiscard]] Parting collide(const Meeting& meeting);
+  /// The same as it was answered, and is no longer counted.
+  [[nodiscard]] Parting take_back(const Meeting& meeting);
 
   /// Collisions that were integrated for a reason; for Refusal::none, looked up.
   [[nodiscard]] long count(Refusal reason) const { return counts_[static_cast<std::size_t>(reason)]; }
@@ -53,11 +59,13 @@ class TableRule {
 
  private:
   [[nodiscard]] std::size_t kind_of(const Meeting::Body& body) const;
-  [[nodiscard]] const PairResolver& resolver(const Meeting& meeting) const;
+  [[nodiscard]] const PairResolver* resolver(const Meeting& meeting) const;
+  [[nodiscard]] Parting answer(const Meeting& meeting, int count);
 
   std::vector<SphereKind> kinds_;
-  std::vector<std::unique_ptr<PairResolver>> pairs_;  ///< first · kinds + second
+  std::vector<std::unique_ptr<PairResolver>> pairs_;  ///< first · kinds + second; null where no table can serve
   std::vector<std::unique_ptr<PairResolver>> walls_;
+  Unanswered unanswered_;
   bool wall_no_slip_ = false;
   long delayed_ = 0;
   std::array<long, static_cast<std::size_t>(Refusal::count)> counts_{};
