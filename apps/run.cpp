@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <scalebreak/base/error.hpp>
+#include <scalebreak/ensembles/engine/engine_names.hpp>
 #include <scalebreak/ensembles/event/rules/table_rule.hpp>
 #include <scalebreak/ensembles/report/run_json.hpp>
 #include <scalebreak/ensembles/report/run_report.hpp>
@@ -33,15 +34,15 @@ void stop_on_signals() {
 }
 
 void refuse_other_engines(const std::string& engine) {
-  if (engine != "auto" && engine != "dem" && engine != "event")
-    throw InputError(fmt::format("--engine: {} is not there yet; allowed: dem, event, or auto, which chooses dem", engine));
+  if (engine != "auto" && engine != "dem" && engine != "event" && engine != "hybrid")
+    throw InputError(fmt::format("--engine: {} is not there yet; allowed: dem, event, hybrid, or auto, which chooses dem", engine));
 }
 
 std::string engine_of(const Options& options) { return options.engine == "auto" ? "dem" : options.engine; }
 
 std::string estimate(const Options& options, const Input& input) {
-  if (engine_of(options) == "event")
-    return "engine event: how many collisions there will be, and so how long it takes, is not known before";
+  if (flies(engine_of(options)))
+    return "engine " + engine_of(options) + ": how many collisions there will be, and so how long it takes, is not known before";
   const RunEstimate e = estimate_run(input, options.cores());
   return fmt::format(
       "engine dem, {:.0f} spheres, {:.3g} steps, about {:.2g} s on {} threads, {:.2g} MB of memory, {:.2g} MB of particle files with --out",
@@ -72,20 +73,26 @@ void print_steps(const RunOutcome& outcome) {
 void print_run(const Options& options, const Input& input, const RunOutcome& outcome) {
   const RunRecord& run = outcome.replicas.front();
   fmt::print("engine            {}{}, {} threads\n", run.engine, options.engine == "auto" ? " (auto: it runs every flow)" : "",
-             run.engine == "event" ? 1 : outcome.threads);
+             flies(run.engine) ? 1 : outcome.threads);
   fmt::print("modelled          {}\n", modelled(input));
   if (input.scaling_law != "none" || input.scaling_factor != 1)
     fmt::print("scaled            {} at {:g}; what follows is the scaled system's\n", input.scaling_law, input.scaling_factor);
   fmt::print("spheres           {} in {:.4g} x {:.4g} x {:.4g} m, volume fraction {:.4g}{}\n", run.particles, run.cell.x(), run.cell.y(),
              run.cell.z(), run.volume_fraction,
              outcome.replicas.size() > 1 ? fmt::format(" (the first of {} replicas)", outcome.replicas.size()) : "");
-  if (run.engine == "event")
+  if (flies(run.engine))
     fmt::print(
         "time              {:.6g} s, of which {:.6g} s measured, {} events, {} of them integrated, {:.3g} s of wall time, {:.3g} events per second\n",
         run.time, outcome.measured.duration, run.events.value_or(0), run.integrated.value_or(0), outcome.wall_seconds,
         static_cast<double>(outcome.events()) / outcome.wall_seconds);
   else
     print_steps(outcome);
+  if (run.patches)
+    fmt::print("patches           {} begun, with {:.4g} of all contacts and {:.4g} of the spheres' time; {} collisions taken back, {} that no table "
+               "answered, {:.4g} sphere steps of {:.4g} s; {} handovers to or from soft spheres alone, {} steps\n",
+               run.patches->begun, run.patches->contact_starts / run.contact_starts,
+               run.patches->sphere_time / (static_cast<double>(run.particles) * run.time), run.patches->taken_back, run.patches->unresolved,
+               static_cast<double>(run.patches->sphere_steps), run.step.step, run.handovers, run.steps);
   for (const Quantity& quantity : outcome.measured.quantities) fmt::print("{:<24}{}\n", quantity.name, in_words(quantity));
   const MeasuredTensor& stress = outcome.measured.stress;
   for (const Eigen::Index i : {0, 1, 2}) {

@@ -126,8 +126,9 @@ TEST(Patches, OfClustersComeOutAsTheExactEngineHasIt) {
       const System start = cluster(random, count, speed);
       const double time = 0.6 * radius / speed;
       const auto bodies = exactly(start, input, time);
-      Hybrid hybrid(start, input);
+      Hybrid hybrid(start, input, std::getenv("FR") ? std::atof(std::getenv("FR")) : 0.15);
       hybrid.flow.advance_to(time);
+      hybrid.flow.open_contacts();
       const System end = hybrid.flow.system();
       deviations.push_back(deviation(end, bodies, speed));
       const EventTotals& totals = hybrid.flow.totals();

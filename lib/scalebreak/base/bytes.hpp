@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -25,6 +26,20 @@ void take_bytes(std::string_view& bytes, T& value) {
   if (bytes.size() < sizeof value) throw WorkError("a saved state is cut short; start from an earlier one");
   std::memcpy(&value, bytes.data(), sizeof value);
   bytes.remove_prefix(sizeof value);
+}
+
+/// A value that there may be none of.
+template <class T>
+requires std::is_arithmetic_v<T>
+void put_bytes(std::string& bytes, const std::optional<T>& value) { put_bytes(bytes, value.has_value()), put_bytes(bytes, value.value_or(T{})); }
+
+template <class T>
+requires std::is_arithmetic_v<T>
+void take_bytes(std::string_view& bytes, std::optional<T>& value) {
+  bool known = false;
+  T taken{};
+  take_bytes(bytes, known), take_bytes(bytes, taken);
+  value = known ? std::optional(taken) : std::nullopt;
 }
 
 inline void put_bytes(std::string& bytes, const Eigen::ArrayXd& values) {

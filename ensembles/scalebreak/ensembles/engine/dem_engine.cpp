@@ -33,14 +33,17 @@ DemSetup dem_setup(const Input& input, double step, int threads) {
 }
 
 DemEngine::DemEngine(std::string_view saved, const DemSetup& setup, bool dissipates)
-    : dem_(without_kernel(saved), setup), step_(setup.step), dissipates_(dissipates) {
+    : dem_(without_kernel(saved), setup),
+      step_(setup.step),
+      start_(dem_.time() - setup.step * static_cast<double>(dem_.steps())),
+      dissipates_(dissipates) {
   const std::string kernel = take_text(saved);
   if (kernel != dem_.kernel_name())
     throw WorkError(fmt::format("the run was left with the instruction set {}, and here it would go on with {}, so not bit for bit", kernel,
                                 dem_.kernel_name()));
 }
 
-void DemEngine::advance_to(double time) { dem_.advance(std::lround(time / step_) - dem_.steps()); }
+void DemEngine::advance_to(double time) { dem_.advance(std::lround((time - start_) / step_) - dem_.steps()); }
 
 EngineTotals DemEngine::totals() const {
   const DemTotals& totals = dem_.totals();

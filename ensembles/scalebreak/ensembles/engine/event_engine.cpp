@@ -73,6 +73,11 @@ EngineTotals EventEngine::totals() const {
                              : std::nullopt};
 }
 
+System EventEngine::soft_system() {
+  spheres_.open_contacts();
+  return spheres_.system();
+}
+
 std::string EventEngine::save() const {
   std::string bytes;
   put_list(bytes, std::vector<Cell>{spheres_.cell()});

@@ -28,6 +28,8 @@ class EventEngine final : public FlowEngine {
   [[nodiscard]] EngineTotals totals() const override;
   [[nodiscard]] double elastic_energy() const override { return spheres_.elastic_energy(); }
   [[nodiscard]] std::string save() const override;
+  /// With groups: the state with all contacts that last, for a soft-sphere engine to go on from.
+  [[nodiscard]] System soft_system();
 
  private:
   std::unique_ptr<GroupLaws> groups_;  ///< null: there are none

@@ -19,6 +19,13 @@ struct PatchTotals {
   long sphere_steps = 0;      ///< steps of single spheres
   double contact_starts = 0;  ///< in patches, at a wall ½
   double sphere_time = 0;     ///< that spheres spent in patches [s]
+
+  /// `number` is called with each of a and the same of b.
+  template <class A, class B, class Number>
+  static void pair_up(A& a, B& b, Number&& number) {
+    number(a.begun, b.begun), number(a.taken_back, b.taken_back), number(a.unresolved, b.unresolved), number(a.sphere_steps, b.sphere_steps);
+    number(a.contact_starts, b.contact_starts), number(a.sphere_time, b.sphere_time);
+  }
 };
 
 /// Running totals of an engine since its start, as Sample wants them; what an engine does not keep is left out.
@@ -32,6 +39,7 @@ struct EngineTotals {
   std::optional<long> integrated;  ///< of these, collisions that no table answered
   std::optional<long> delayed;     ///< and those put behind, TableRule::delayed
   std::optional<PatchTotals> patches;
+  long handovers = 0;  ///< of the whole flow, between engines
 };
 
 /// What a run needs of an engine that moves a flow on.

@@ -6,6 +6,7 @@
 
 #include <scalebreak/base/version.hpp>
 #include <scalebreak/ensembles/engine/energy_account.hpp>
+#include <scalebreak/ensembles/engine/engine_names.hpp>
 #include <scalebreak/measure/flow_json.hpp>
 
 namespace scalebreak {
@@ -18,7 +19,7 @@ json or_null(double value) { return value > 0 ? json(value) : json(); }
 json step_json(const RunRecord& run) {
   if (run.engine == "event") return {{"sample_interval", run.schedule.sample_interval()}};
   const ShortestContact& contact = run.step.contact;
-  return {{"step", run.schedule.step},
+  return {{"step", flies(run.engine) ? run.step.step : run.schedule.step},
           {"step_limit", run.step.limit},
           {"step_bound", run.step.bound},
           {"step_bound_seconds", run.step.bound_step},
@@ -27,8 +28,20 @@ json step_json(const RunRecord& run) {
           {"contact_time", or_null(contact.time)},
           {"contact_time_of", contact.of},
           {"contact_time_from", contact_time_source(contact)},
-          {"steps_per_contact", or_null(contact.time / run.schedule.step)},
+          {"steps_per_contact", or_null(contact.time / (flies(run.engine) ? run.step.step : run.schedule.step))},
           {"sample_interval", run.schedule.sample_interval()}};
+}
+
+/// Of the first replica.
+json patches_json(const RunRecord& run) {
+  const PatchTotals& patches = *run.patches;
+  return {{"begun", patches.begun},
+          {"collisions_taken_back", patches.taken_back},
+          {"collisions_no_table_answered", patches.unresolved},
+          {"sphere_steps", patches.sphere_steps},
+          {"contact_starts", patches.contact_starts},
+          {"time_share", patches.sphere_time / (static_cast<double>(run.particles) * run.time)},
+          {"handovers", run.handovers}};
 }
 
 }  // namespace
@@ -75,7 +88,8 @@ json run_json(const Input& input, const RunOutcome& outcome) {
             {"wall_seconds", outcome.wall_seconds},
             {"particle_steps_per_second", or_null(outcome.wall_seconds > 0 ? outcome.particle_steps() / outcome.wall_seconds : 0)},
             {"events_per_second", or_null(outcome.wall_seconds > 0 ? static_cast<double>(outcome.events()) / outcome.wall_seconds : 0)},
-            {"patch_fraction", nullptr},
+            {"patch_fraction", first.patches ? json(first.patches->contact_starts / first.contact_starts) : json()},
+            {"patches", first.patches ? patches_json(first) : json()},
             {"warnings", warnings}};
   if (outcome.replicas.size() == 1) j["particles"] = first.particles;
   j.update(step_json(first));

@@ -12,7 +12,7 @@ namespace scalebreak {
 struct Checkpoint {
   std::string version;                ///< of the program, with its commit
   std::string input;                  ///< resolved, as TOML
-  std::string engine;                 ///< "dem" or "event"
+  std::string engine;                 ///< "dem", "event" or "hybrid"
   int threads = 1;                    ///< on which it goes on bit for bit
   double wall_seconds = 0;            ///< so far
   double time = 0;                    ///< of the replica that runs [s]

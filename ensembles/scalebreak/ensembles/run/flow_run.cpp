@@ -5,8 +5,10 @@
 #include <scalebreak/base/bytes.hpp>
 #include <scalebreak/ensembles/engine/dem_engine.hpp>
 #include <scalebreak/ensembles/engine/energy_account.hpp>
+#include <scalebreak/ensembles/engine/engine_names.hpp>
 #include <scalebreak/ensembles/engine/event_engine.hpp>
 #include <scalebreak/ensembles/engine/flow_start.hpp>
+#include <scalebreak/ensembles/engine/hybrid_engine.hpp>
 #include <scalebreak/start/filling.hpp>
 
 namespace scalebreak {
@@ -37,14 +39,22 @@ Sample FlowInstant::sample() const {
 
 void FlowRun::plan(const Input& input, const System& start, double speed, const TableStore* tables) {
   const RunTimes times = run_times(input, start.cell);
-  if (record_.engine == "event") {
+  if (steps(record_.engine)) record_.step = choose_step(input, step_scene(input, start, speed), tables);
+  if (flies(record_.engine)) {
     const double most = std::min(event_sample_interval(start, speed), times.interval);
     record_.schedule = run_schedule(times, most / most_steps_per_sample);
-    return;
+  } else {
+    record_.schedule = run_schedule(times, record_.step.step);
   }
-  record_.step = choose_step(input, step_scene(input, start, speed), tables);
-  record_.schedule = run_schedule(times, record_.step.step);
   if (!record_.step.warning.empty()) record_.warnings.push_back(record_.step.warning);
+}
+
+template <class Start>
+std::unique_ptr<FlowEngine> FlowRun::make_engine(const Start& start, const Input& input, int threads, const TableStore* tables) const {
+  const DemSetup setup = dem_setup(input, flies(record_.engine) ? record_.step.step : record_.schedule.step, threads);
+  if (record_.engine == "event") return std::make_unique<EventEngine>(start, input, store_of(tables));
+  if (record_.engine == "hybrid") return std::make_unique<HybridEngine>(start, input, store_of(tables), setup);
+  return std::make_unique<DemEngine>(start, setup, why_account_is_open(input).has_value());
 }
 
 FlowRun::FlowRun(const Input& input, std::uint64_t replica, int threads, const TableStore* tables, const std::string& engine)
@@ -59,10 +69,7 @@ FlowRun::FlowRun(const Input& input, std::uint64_t replica, int threads, const T
   record_.warnings = start.warnings;
   record_.engine = engine;
   plan(input, system, start.speed, tables);
-  if (engine == "event")
-    engine_ = std::make_unique<EventEngine>(system, input, store_of(tables));
-  else
-    engine_ = std::make_unique<DemEngine>(system, dem_setup(input, record_.schedule.step, threads), why_account_is_open(input).has_value());
+  engine_ = make_engine(system, input, threads, tables);
   engine_->keep_sums(measures());
   look();
 }
@@ -72,11 +79,7 @@ FlowRun::FlowRun(const Input& input, std::string_view saved, int threads, const 
   take_bytes(saved, sample_);
   measurement_.load(take_text(saved));
   const std::string engine = take_text(saved);
-  if (record_.engine == "event")
-    engine_ = std::make_unique<EventEngine>(engine, input, store_of(tables));
-  else
-    engine_ = std::make_unique<DemEngine>(std::string_view(engine), dem_setup(input, record_.schedule.step, threads),
-                                          why_account_is_open(input).has_value());
+  engine_ = make_engine(std::string_view(engine), input, threads, tables);
   engine_->keep_sums(measures());
 }
 
@@ -93,7 +96,8 @@ void FlowRun::advance() {
   if (sample_ == record_.schedule.warmup_samples) engine_->keep_sums(true);
   const EngineTotals totals = engine_->totals();
   record_.time = engine_->time(), record_.steps = totals.steps, record_.events = totals.events, record_.integrated = totals.integrated,
-  record_.delayed = totals.delayed;
+  record_.delayed = totals.delayed, record_.patches = totals.patches, record_.handovers = totals.handovers;
+  record_.contact_starts = totals.contact_starts;
   look();
 }
 

@@ -24,7 +24,7 @@ struct FlowInstant {
   [[nodiscard]] Sample sample() const;
 };
 
-/// One run of a flow with an engine, "dem" or "event", from its start through the warm-up and the measurement, sample by sample.
+/// One run of a flow with an engine, "dem", "event" or "hybrid", from its start through the warm-up and the measurement, sample by sample.
 class FlowRun {
  public:
   static constexpr int slabs = 20;
@@ -53,6 +53,9 @@ class FlowRun {
  private:
   void plan(const Input& input, const System& start, double speed, const TableStore* tables);
   void look();
+  /// Of a start, or of what an engine left.
+  template <class Start>
+  [[nodiscard]] std::unique_ptr<FlowEngine> make_engine(const Start& start, const Input& input, int threads, const TableStore* tables) const;
 
   Eigen::Vector3d gravity_;
   RunRecord record_;

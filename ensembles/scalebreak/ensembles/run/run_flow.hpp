@@ -24,7 +24,7 @@ struct RunOptions {
   std::filesystem::path out;  ///< empty: no files, no checkpoints
   int threads = 1;
   bool resume = false;         ///< goes on from the checkpoint in `out`
-  std::string engine = "dem";  ///< or "event"; a run that goes on must have the one that it had
+  std::string engine = "dem";  ///< or "event", "hybrid"; a run that goes on must have the one that it had
   std::optional<TableStore> tables =
       {};  ///< where collision tables are kept; none: the step is bounded by exact collisions, and engines use the user's cache
   /// Asked after every sample; true: the run ends with a checkpoint and RunInterrupted.

@@ -16,7 +16,8 @@ void go_through(Record& r, Number&& number, Text&& text) {
   number(r.step.contact.tabulated), text(r.step.contact.resolved), text(r.step.warning);
   number(r.schedule.step), number(r.schedule.steps_per_sample), number(r.schedule.samples_per_row);
   number(r.schedule.warmup_samples), number(r.schedule.samples);
-  number(r.gravity_energy), number(r.time), number(r.steps);
+  number(r.gravity_energy), number(r.time), number(r.steps), number(r.handovers), number(r.contact_starts);
+  number(r.events), number(r.integrated), number(r.delayed);
 }
 
 }  // namespace
@@ -24,10 +25,8 @@ void go_through(Record& r, Number&& number, Text&& text) {
 void RunRecord::save(std::string& bytes) const {
   go_through(
       *this, [&](const auto& value) { put_bytes(bytes, value); }, [&](const std::string& text) { put_text(bytes, text); });
-  for (const std::optional<long>& count : {events, integrated, delayed}) {
-    put_bytes(bytes, count.has_value());
-    put_bytes(bytes, count.value_or(0));
-  }
+  put_bytes(bytes, patches.has_value());
+  if (patches) PatchTotals::pair_up(*patches, *patches, [&](const auto& value, const auto&) { put_bytes(bytes, value); });
   put_bytes(bytes, static_cast<std::uint64_t>(warnings.size()));
   for (const std::string& warning : warnings) put_text(bytes, warning);
 }
@@ -35,13 +34,10 @@ void RunRecord::save(std::string& bytes) const {
 void RunRecord::load(std::string_view& bytes) {
   go_through(
       *this, [&](auto& value) { take_bytes(bytes, value); }, [&](std::string& text) { text = take_text(bytes); });
-  for (std::optional<long>* count : {&events, &integrated, &delayed}) {
-    bool known = false;
-    long counted = 0;
-    take_bytes(bytes, known);
-    take_bytes(bytes, counted);
-    *count = known ? std::optional(counted) : std::nullopt;
-  }
+  bool patched = false;
+  take_bytes(bytes, patched);
+  patches.reset();
+  if (patched) PatchTotals::pair_up(patches.emplace(), *patches, [&](auto& value, const auto&) { take_bytes(bytes, value); });
   std::uint64_t sentences = 0;
   take_bytes(bytes, sentences);
   warnings.clear();

@@ -8,6 +8,7 @@
 
 #include <Eigen/Core>
 
+#include <scalebreak/ensembles/engine/flow_engine.hpp>
 #include <scalebreak/ensembles/engine/step_choice.hpp>
 #include <scalebreak/ensembles/run/run_schedule.hpp>
 
@@ -15,7 +16,7 @@ namespace scalebreak {
 
 /// What there is to say of a run beside what it measured.
 struct RunRecord {
-  std::string engine = "dem";  ///< or "event"
+  std::string engine = "dem";  ///< or "event", "hybrid"
   std::uint64_t replica = 0;
   std::uint64_t particles = 0;
   Eigen::Vector3d cell{0, 0, 0};  ///< its edges [m]
@@ -26,6 +27,9 @@ struct RunRecord {
   double time = 0;            ///< reached [s]
   long steps = 0;
   std::optional<long> events, integrated, delayed;  ///< as in EngineTotals
+  std::optional<PatchTotals> patches;
+  long handovers = 0;
+  double contact_starts = 0;
   std::vector<std::string> warnings;
 
   void save(std::string& bytes) const;
