@@ -107,7 +107,7 @@ class EventSpheres {
   [[nodiscard]] std::uint32_t open_slot(Patch&& patch);
   /// Puts its spheres as balls into the flow and looks what comes into them; may make it part of another one.
   void show(std::uint32_t slot);
-  void put_members(const Patch& patch, double swerve);
+  void put_members(const Patch& patch, double horizon);
   [[nodiscard]] Foreseen foresee_in_patch(std::uint32_t i) const;
   void happen_in_patch(std::uint32_t i);
   void adopt(const std::vector<ContactMemory>& contacts);

@@ -64,7 +64,7 @@ void EventSpheres<Queue, Rule>::renumber_patches(const std::vector<std::uint32_t
 template <class Queue, class Rule>
 void EventSpheres<Queue, Rule>::tell_patch(const Patch& patch, System& system) const {
   Patch now = patch;
-  now.advance_to(now_);
+  now.advance_to(now_, 2 * stretch());
   const auto identity = [&](std::size_t k) { return body_[now.sphere[k]].identity; };
   for (std::uint32_t k = 0; k < now.group.count(); ++k) {
     const GroupSphere sphere = now.group.sphere(k);
@@ -92,8 +92,8 @@ void EventSpheres<Queue, Rule>::save_patches(std::string& bytes) const {
     if (!patch) continue;
     std::vector<GroupSphere> spheres;
     for (std::uint32_t k = 0; k < patch->group.count(); ++k) spheres.push_back(patch->group.sphere(k));
-    put_list(bytes, spheres), put_list(bytes, patch->group.contacts()), put_list(bytes, patch->offset);
-    put_bytes(bytes, patch->group.time()), put_bytes(bytes, patch->fastest);
+    put_list(bytes, spheres), put_list(bytes, patch->group.contacts()), put_list(bytes, patch->offset), put_list(bytes, patch->push);
+    put_bytes(bytes, patch->group.time());
   }
 }
 
@@ -111,10 +111,11 @@ void EventSpheres<Queue, Rule>::load_patches(std::string_view& bytes) {
     std::vector<GroupSphere> spheres;
     std::vector<ContactMemory> contacts;
     std::vector<Offset> offset;
-    take_list(bytes, spheres), take_list(bytes, contacts), take_list(bytes, offset);
-    double time = 0, fastest = 0;
-    take_bytes(bytes, time), take_bytes(bytes, fastest);
-    Patch patch{DemGroup(*groups_, time), sphere, offset, fastest};
+    std::vector<double> push;
+    take_list(bytes, spheres), take_list(bytes, contacts), take_list(bytes, offset), take_list(bytes, push);
+    double time = 0;
+    take_bytes(bytes, time);
+    Patch patch{DemGroup(*groups_, time), sphere, offset, push};
     for (const GroupSphere& each : spheres) (void)patch.group.add(each);
     for (const ContactMemory& each : contacts) patch.group.add(each);
     for (const std::uint32_t k : sphere) patch_of_[k] = slot;
@@ -135,13 +136,13 @@ void EventSpheres<Queue, Rule>::adopt(const std::vector<ContactMemory>& contacts
   std::vector<std::uint8_t> done(count(), 0);
   for (std::uint32_t seed = 0; seed < count(); ++seed) {
     if (done[seed] || of[seed].empty()) continue;
-    Patch patch{DemGroup(*groups_, now_), {}, {}, 0};
+    Patch patch{DemGroup(*groups_, now_), {}, {}, {}};
     std::map<std::uint32_t, std::int32_t> number;
     const auto add = [&](std::uint32_t k, const Offset& offset) {
       GroupSphere sphere = group_sphere(k, now_);
       sphere.position += offset.shift, sphere.velocity.x() += offset.drift;
-      number[k] = static_cast<std::int32_t>(patch.group.add(sphere));
-      patch.sphere.push_back(k), patch.offset.push_back(offset);
+      number[k] = static_cast<std::int32_t>(patch.sphere.size());
+      patch.add(k, sphere, offset);
       done[k] = 1;
     };
     add(seed, {});
@@ -168,7 +169,6 @@ void EventSpheres<Queue, Rule>::adopt(const std::vector<ContactMemory>& contacts
       if (contact.second >= 0) contact.second = number[place[static_cast<std::size_t>(contact.second)]];
       patch.group.add(contact);
     }
-    patch.look_at_speeds();
     ++totals_.patches;
     (void)open_slot(std::move(patch));
   }

@@ -69,13 +69,12 @@ template <class Queue, class Rule>
 Patch EventSpheres<Queue, Rule>::take_back(std::uint32_t i) {
   const Encounter& first = encounter_[i];
   const double begin = first.begin;
-  Patch patch{DemGroup(*groups_, begin), {}, {}, 0};
+  Patch patch{DemGroup(*groups_, begin), {}, {}, {}};
   const auto put = [&](std::uint32_t k, const Offset& offset) {
     GroupSphere sphere = group_sphere(k, now_);
     sphere.position = encounter_[k].position + offset.shift, sphere.velocity = encounter_[k].velocity, sphere.spin = encounter_[k].spin;
     sphere.velocity.x() += offset.drift;
-    patch.group.add(sphere);
-    patch.sphere.push_back(k), patch.offset.push_back(offset);
+    patch.add(k, sphere, offset);
   };
   put(i, {});
   const auto body = [&](std::uint32_t k) {
@@ -94,7 +93,6 @@ Patch EventSpheres<Queue, Rule>::take_back(std::uint32_t i) {
   }
   if constexpr (Rule::lasts) account(meeting, rule_.take_back(meeting), -1);
   ++totals_.taken_back;
-  patch.look_at_speeds();
   return patch;
 }
 
@@ -109,8 +107,8 @@ Patch EventSpheres<Queue, Rule>::take_out(std::uint32_t i, double earliest) {
   }
   if (busy(i)) return take_back(i);
   const double since = std::clamp(encounter_[i].end, earliest, now_);
-  Patch patch{DemGroup(*groups_, since), {i}, {Offset{}}, 0};
-  patch.group.add(group_sphere(i, since));
+  Patch patch{DemGroup(*groups_, since), {}, {}, {}};
+  patch.add(i, group_sphere(i, since), {});
   return patch;
 }
 
@@ -137,7 +135,6 @@ void EventSpheres<Queue, Rule>::crowd(std::uint32_t i, Neighbour partner) {
     const Cell cell = advanced(flight_.cell, time);
     patch.absorb(other, {nearest_image(cell, apart) - apart, image_velocity(cell, apart).x()});
   }
-  patch.look_at_speeds();
   for (const std::uint32_t k : patch.sphere) encounter_[k].end = now_;
   ++totals_.patches;
   advance(patch, now_);
@@ -157,7 +154,7 @@ void EventSpheres<Queue, Rule>::advance(Patch& patch, double time) {
     return sum;
   };
   const double before = energy();
-  patch.advance_to(time);
+  patch.advance_to(time, 2 * stretch());
   const GroupTotals gained = group.take_totals();
   totals_.dissipated += before - energy() + gained.wall_work;
   totals_.wall_work += gained.wall_work;
@@ -169,11 +166,11 @@ void EventSpheres<Queue, Rule>::advance(Patch& patch, double time) {
 }
 
 template <class Queue, class Rule>
-void EventSpheres<Queue, Rule>::put_members(const Patch& patch, double swerve) {
+void EventSpheres<Queue, Rule>::put_members(const Patch& patch, double horizon) {
   for (std::uint32_t k = 0; k < patch.group.count(); ++k) {
     const std::uint32_t i = patch.sphere[k];
     const GroupSphere sphere = patch.group.sphere(k);
-    flight_.sphere[i] = {sphere.position - patch.offset[k].shift, patch.group.time(), sphere.velocity, sphere.radius + swerve};
+    flight_.sphere[i] = {sphere.position - patch.offset[k].shift, patch.group.time(), sphere.velocity, sphere.radius + patch.push[k] * horizon};
     flight_.sphere[i].velocity.x() -= patch.offset[k].drift;
     spin_[i] = sphere.spin;
     ++flight_.agenda[i].changes;
@@ -196,8 +193,7 @@ std::uint32_t EventSpheres<Queue, Rule>::open_slot(Patch&& patch) {
 
 template <class Queue, class Rule>
 void EventSpheres<Queue, Rule>::settle(Patch&& patch) {
-  patch.look_at_speeds();
-  const LinkedParts linked = linked_parts(patch.group, stretch(), patch.swerve(stretch()));
+  const LinkedParts linked = linked_parts(patch, stretch());
   put_members(patch, 0);
   std::vector<std::uint32_t> slots;
   if (linked.parts.size() == 1 && linked.alone.empty()) {
@@ -208,7 +204,7 @@ void EventSpheres<Queue, Rule>::settle(Patch&& patch) {
   }
   std::vector<std::uint32_t> alone;
   for (const std::uint32_t k : linked.alone) alone.push_back(patch.sphere[k]);
-  for (const std::uint32_t slot : slots) put_members(*patch_[slot], patch_[slot]->swerve(stretch()));
+  for (const std::uint32_t slot : slots) put_members(*patch_[slot], stretch());
   for (const std::uint32_t i : alone) {
     if (!patched(i)) look_ahead(i);
   }
@@ -293,7 +289,7 @@ double EventSpheres<Queue, Rule>::elastic_energy() const {
   for (const auto& patch : patch_) {
     if (!patch) continue;
     Patch now = *patch;
-    now.advance_to(now_);
+    now.advance_to(now_, 2 * stretch());
     energy += now.group.elastic_energy();
   }
   return energy;

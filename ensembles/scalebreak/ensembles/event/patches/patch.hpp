@@ -31,17 +31,14 @@ struct Patch {
   DemGroup group;
   std::vector<std::uint32_t> sphere;  ///< in the flow
   std::vector<Offset> offset;
-  double fastest = 0;  ///< that surfaces have moved past each other since it began [m/s]
+  std::vector<double> push;  ///< by how much others may change its velocity: what they have done of late, or are about to [m/s]
 
-  /// How far a sphere may leave the line that it is on, in a time [m].
-  [[nodiscard]] double swerve(double time) const { return 2 * fastest * time; }
-  /// The group's clock, with all that goes with it.
-  void advance_to(double time);
+  void add(std::uint32_t number, const GroupSphere& sphere, const Offset& offset);
+  /// The group's clock, with all that goes with it. `forget`: the time in which half of a push is forgotten [s].
+  void advance_to(double time, double forget);
   /// Takes in another patch of the same time.
   void absorb(const Patch& other, const Offset& by);
   [[nodiscard]] Patch part(const std::vector<std::uint32_t>& which) const;
-  /// Looks how fast it is now.
-  void look_at_speeds();
 };
 
 }  // namespace scalebreak
