@@ -42,7 +42,7 @@ struct Flight {
   Eigen::Vector3d gravity{0, 0, 0};
   double flow_rate = 0;      ///< of the references along x with z [1/s]
   double allowance = 0;      ///< how far a sphere may go from its reference [m]
-  double largest_reach = 0;  ///< [m]
+  double least_reach = 0, largest_reach = 0;  ///< [m]
   std::vector<FlyingSphere> sphere;
   std::vector<Agenda> agenda;
   std::vector<Neighbour> pool;  ///< lists, each with room to grow

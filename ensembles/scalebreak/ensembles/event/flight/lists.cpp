@@ -6,6 +6,8 @@
 #include <span>
 #include <vector>
 
+#include <scalebreak/ensembles/event/flight/instants.hpp>
+
 namespace scalebreak {
 namespace {
 
@@ -22,19 +24,16 @@ int nearest_crossing(double difference, double edge) { return difference > edge 
 /// The same of any difference, over the edge.
 int crossings(double difference) { return std::abs(difference) <= 0.5 ? 0 : -static_cast<int>(std::lround(difference)); }
 
-/// Neighbours of a sphere by the references.
-void find_near(const Flight& flight, std::uint32_t i, double now, std::vector<Neighbour>& found) {
+/// Of candidates those that are near, each with the image that is.
+void resolve_images(const Flight& flight, std::uint32_t i, double strain, std::span<const Neighbour> candidates,
+                    std::vector<Neighbour>& found) {
   const Agenda& own = flight.agenda[i];
   const Cell& cell = flight.cell;
-  const double strain = flight.flow_rate * now;
   const bool periodic[] = {cell.periodic(0), cell.periodic(1), cell.periodic(2)};
-  static thread_local std::vector<std::uint32_t> space;
-  const auto candidates = flight.bins.find_near(own.reference, own.reach + flight.largest_reach, strain, space);
-  for (const std::uint32_t k : candidates) __builtin_prefetch(&flight.agenda[k]);
-  found.clear();
-  for (const std::uint32_t k : candidates) {
-    if (k == i) continue;
-    const Agenda& other = flight.agenda[k];
+  for (const Neighbour k : candidates) __builtin_prefetch(&flight.agenda[k.sphere()]);
+  for (const Neighbour k : candidates) {
+    if (k.sphere() == i) continue;
+    const Agenda& other = flight.agenda[k.sphere()];
     const double distance = own.reach + other.reach;
     Eigen::Vector3d apart = other.reference - own.reference;
     const int z = periodic[2] ? nearest_crossing(apart.z(), cell.size.z()) : 0;
@@ -46,7 +45,24 @@ void find_near(const Flight& flight, std::uint32_t i, double now, std::vector<Ne
     apart.x() += x * cell.size.x();
     if (apart.squaredNorm() >= distance * distance) continue;
     assert(std::abs(x) <= Images::most_along_x);
-    found.emplace_back(k, Images::code(x, y, z));
+    found.emplace_back(k.sphere(), Images::code(x, y, z));
+  }
+}
+
+/// Neighbours of a sphere by the references.
+void find_near(const Flight& flight, std::uint32_t i, double now, std::vector<Neighbour>& found) {
+  static thread_local ReferenceBins::Space space;
+  const Agenda& own = flight.agenda[i];
+  const double strain = flight.flow_rate * now;
+  const auto [candidates, exact] = flight.bins.find_near(own.reference, own.reach + flight.largest_reach, strain, space);
+  found.clear();
+  // Where all reach alike and nothing flows, the bins are right about images, and a few that are too far do no harm.
+  if (!exact || flight.flow_rate != 0 || flight.least_reach != flight.largest_reach)
+    return resolve_images(flight, i, strain, candidates, found);
+  for (const Neighbour k : candidates) {
+    if (k.sphere() == i) continue;
+    __builtin_prefetch(&flight.sphere[k.sphere()]);
+    found.push_back(k);
   }
 }
 
@@ -106,10 +122,10 @@ bool contains(const Entries& entries, Neighbour neighbour) {
 }  // namespace
 
 void make_lists(Flight& flight) {
-  flight.largest_reach = 0;
+  flight.least_reach = never, flight.largest_reach = 0;
   for (std::size_t i = 0; i < flight.sphere.size(); ++i) {
-    flight.agenda[i].reach = flight.sphere[i].radius + flight.allowance;
-    flight.largest_reach = std::max(flight.largest_reach, flight.agenda[i].reach);
+    const double reach = flight.agenda[i].reach = flight.sphere[i].radius + flight.allowance;
+    flight.least_reach = std::min(flight.least_reach, reach), flight.largest_reach = std::max(flight.largest_reach, reach);
   }
   flight.bins = ReferenceBins(flight.cell, flight.sphere.size());
   flight.pool.clear();
