@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <scalebreak/ensembles/event/flight/list_difference.hpp>
 #include <scalebreak/ensembles/event/near/reference_bins.hpp>
 
 namespace scalebreak {
@@ -69,6 +70,32 @@ TEST(EventReferenceBins, WholeBinsAtATimeFindTheSame) {
   look_into_whole_bins(bins, visits, search, whole);
   EXPECT_GT(one_by_one.size(), 20u);
   EXPECT_EQ(one_by_one, whole);
+}
+
+TEST(EventListDifference, ByEightsIsTheSame) {
+  if (!can_find_by_eights()) GTEST_SKIP() << "this processor has no AVX2";
+  std::mt19937_64 random(7);
+  std::uniform_int_distribution<std::uint32_t> image(0, 5);
+  std::bernoulli_distribution in_list(0.6);
+  std::size_t lost = 0, gained = 0;
+  for (std::uint32_t most = 0; most < 60; ++most) {
+    std::vector<Neighbour> before, after;
+    for (std::uint32_t k = 0; k < most; ++k) {
+      const Neighbour neighbour(k, image(random));
+      if (in_list(random)) before.push_back(neighbour);
+      if (in_list(random)) after.push_back(neighbour);
+    }
+    std::shuffle(before.begin(), before.end(), random);
+    ListDifference one_by_one, by_eights;
+    find_difference(before, after, one_by_one);
+    find_difference_by_eights(before, after, by_eights);
+    EXPECT_EQ(one_by_one.lost, by_eights.lost);
+    EXPECT_EQ(one_by_one.gained, by_eights.gained);
+    EXPECT_EQ(before.size() - by_eights.lost.size(), after.size() - by_eights.gained.size());
+    lost += by_eights.lost.size(), gained += by_eights.gained.size();
+  }
+  EXPECT_GT(lost, 100u);
+  EXPECT_GT(gained, 100u);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <scalebreak/ensembles/event/flight/instants.hpp>
+#include <scalebreak/ensembles/event/flight/list_difference.hpp>
 
 namespace scalebreak {
 namespace {
@@ -112,13 +113,6 @@ void set_reference(Flight& flight, std::uint32_t i, double now) {
   agenda.made = now;
 }
 
-template <class Entries>
-bool contains(const Entries& entries, Neighbour neighbour) {
-  bool found = false;
-  for (const Neighbour& entry : entries) found |= entry == neighbour;
-  return found;
-}
-
 }  // namespace
 
 void make_lists(Flight& flight) {
@@ -144,6 +138,7 @@ void make_lists(Flight& flight) {
 
 void renew_list(Flight& flight, std::uint32_t i, double now) {
   static thread_local std::vector<Neighbour> found;
+  static thread_local ListDifference difference;
   if (has_left(flight.cell, flight.position(i, now))) {
     bring_up(flight, i, now);
     wrap(advanced(flight.cell, now), flight.sphere[i].position, flight.sphere[i].velocity);
@@ -154,12 +149,18 @@ void renew_list(Flight& flight, std::uint32_t i, double now) {
   set_reference(flight, i, now);
   flight.bins.move(i, flight.agenda[i].reference);
   find_near(flight, i, now, found);
-  for (const Neighbour& old : list_of(flight, i)) {
-    if (!contains(found, old)) remove_from(flight, old.sphere(), {i, Images::opposite(old.image())});
+  // First told apart, then fetched, then told to.
+  static const bool by_eights = can_find_by_eights();
+  (by_eights && found.size() <= most_by_eights ? find_difference_by_eights : find_difference)(list_of(flight, i), found, difference);
+  const auto& [lost, gained] = difference;
+  for (const auto* const changed : {&lost, &gained}) {
+    for (const Neighbour neighbour : *changed) __builtin_prefetch(&flight.agenda[neighbour.sphere()]);
   }
-  for (const Neighbour& next : found) {
-    if (!contains(list_of(flight, i), next)) add_to(flight, next.sphere(), {i, Images::opposite(next.image())});
+  for (const auto* const changed : {&lost, &gained}) {
+    for (const Neighbour neighbour : *changed) __builtin_prefetch(flight.pool.data() + flight.agenda[neighbour.sphere()].start);
   }
+  for (const Neighbour neighbour : lost) remove_from(flight, neighbour.sphere(), {i, Images::opposite(neighbour.image())});
+  for (const Neighbour neighbour : gained) add_to(flight, neighbour.sphere(), {i, Images::opposite(neighbour.image())});
   set_list(flight, i, found);
 }
 

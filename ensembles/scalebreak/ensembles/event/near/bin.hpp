@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include <scalebreak/ensembles/event/large_list.hpp>
 #include <scalebreak/ensembles/event/near/images.hpp>
 
 namespace scalebreak {
@@ -33,11 +34,11 @@ struct BinSearch {
 };
 
 /// Appends what is near in bins and those with the rest of their spheres.
-void look_into_bins(const std::vector<Bin>& bins, const std::vector<BinVisit>& visits, const BinSearch& search,
+void look_into_bins(const LargeList<Bin>& bins, const std::vector<BinVisit>& visits, const BinSearch& search,
                     std::vector<Neighbour>& found);
 
 /// The same, in the same order, all of a bin at a time: where the processor has AVX2.
-void look_into_whole_bins(const std::vector<Bin>& bins, const std::vector<BinVisit>& visits, const BinSearch& search,
+void look_into_whole_bins(const LargeList<Bin>& bins, const std::vector<BinVisit>& visits, const BinSearch& search,
                           std::vector<Neighbour>& found);
 [[nodiscard]] inline bool can_look_into_whole_bins() { return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("popcnt"); }
 

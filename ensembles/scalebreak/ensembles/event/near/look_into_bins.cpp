@@ -31,7 +31,7 @@ constexpr auto lanes_of_set = lanes_of_sets();
 
 }  // namespace
 
-void look_into_bins(const std::vector<Bin>& bins, const std::vector<BinVisit>& visits, const BinSearch& search,
+void look_into_bins(const LargeList<Bin>& bins, const std::vector<BinVisit>& visits, const BinSearch& search,
                     std::vector<Neighbour>& found) {
   for (const BinVisit& visit : visits) {
     for (std::uint32_t at = visit.bin; at != Bin::none; at = bins[at].more) {
@@ -46,7 +46,7 @@ void look_into_bins(const std::vector<Bin>& bins, const std::vector<BinVisit>& v
   }
 }
 
-[[gnu::target("avx2,popcnt")]] void look_into_whole_bins(const std::vector<Bin>& bins, const std::vector<BinVisit>& visits,
+[[gnu::target("avx2,popcnt")]] void look_into_whole_bins(const LargeList<Bin>& bins, const std::vector<BinVisit>& visits,
                                                          const BinSearch& search, std::vector<Neighbour>& found) {
   static_assert(offsetof(Bin, z) + lanes * sizeof(std::int16_t) <= sizeof(Bin) && sizeof(Neighbour) == sizeof(std::uint32_t));
   // The eight words that end with the last sphere.

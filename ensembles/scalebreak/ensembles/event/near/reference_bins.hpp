@@ -58,16 +58,16 @@ class ReferenceBins {
 
   [[nodiscard]] Place place_of(const Eigen::Vector3d& reference) const;
   [[nodiscard]] std::uint32_t number_of(const std::array<int, 3>& bin) const;
-  [[nodiscard]] int inside(int axis, int bin) const;
-  [[nodiscard]] Range range(int axis, double low, double high) const;
-  [[nodiscard]] std::array<double, 2> above(int axis, int row, double middle, double reach) const;
+  [[nodiscard, gnu::always_inline]] inline int inside(int axis, int bin) const;
+  [[nodiscard, gnu::always_inline]] inline Range range(int axis, double low, double high) const;
+  [[nodiscard, gnu::always_inline]] inline std::array<double, 2> above(int axis, int row, double middle, double reach) const;
   void put(std::uint32_t bin, std::uint32_t sphere, const Place& place);
   void take(std::uint32_t bin, std::uint32_t sphere);
 
   Cell cell_;
   std::array<int, 3> bins_ = {1, 1, 1};
   Eigen::Vector3d edge_{1, 1, 1}, bins_per_length_{1, 1, 1};
-  std::vector<Bin> bin_;
+  LargeList<Bin> bin_;
   std::vector<std::uint32_t> bin_of_sphere_;
 };
 
