@@ -51,7 +51,7 @@ TEST(EventReferenceBins, WholeBinsAtATimeFindTheSame) {
   if (!can_look_into_whole_bins()) GTEST_SKIP() << "this processor has no AVX2";
   std::mt19937_64 random(5);
   std::uniform_int_distribution<int> step(-Bin::steps, 2 * Bin::steps), some(0, Bin::room);
-  std::vector<Bin> bins(60);
+  LargeList<Bin> bins(60);
   std::vector<BinVisit> visits;
   for (std::uint32_t b = 0; b < bins.size(); ++b) {
     bins[b].count = static_cast<std::uint32_t>(some(random)) & 7u;

@@ -2,7 +2,6 @@
 
 #include <scalebreak/base/error.hpp>
 #include <scalebreak/ensembles/event/event_spheres.hpp>
-#include <scalebreak/ensembles/event/flight/fetch.hpp>
 #include <scalebreak/ensembles/event/flight/foresee.hpp>
 #include <scalebreak/ensembles/event/flight/instants.hpp>
 #include <scalebreak/ensembles/event/flight/lists.hpp>
@@ -59,9 +58,12 @@ void EventSpheres<Queue, Rule>::look_ahead(std::uint32_t i) {
 
 template <class Queue, class Rule>
 void EventSpheres<Queue, Rule>::happen(std::uint32_t i) {
-  if constexpr (requires { queue_.for_each_ahead([](std::uint32_t) {}, [](std::uint32_t) {}); })
-    queue_.for_each_ahead([&](std::uint32_t k) { fetch_surroundings(flight_, k); }, [&](std::uint32_t k) { fetch(flight_, k); });
-  fetch_neighbours(flight_, i);
+  if constexpr (requires { queue_.for_each_soon([](std::uint32_t) {}); }) {
+    queue_.for_each_soon([&](std::uint32_t k) {
+      __builtin_prefetch(&flight_.sphere[k]);
+      __builtin_prefetch(&flight_.agenda[k]);
+    });
+  }
   const Agenda& agenda = flight_.agenda[i];
   const Neighbour partner = agenda.partner;
   if (partner.sphere() == no_neighbour::list_ends) return end_list(i);
@@ -112,8 +114,7 @@ void EventSpheres<Queue, Rule>::collide(std::uint32_t i, Neighbour partner) {
   }
   totals_.dissipated += mass / 2 * (before.squaredNorm() - after.squaredNorm());
   if constexpr (Rule::spins) {
-    for (const auto& [sphere, body, spin] :
-         {std::tuple(i, &meeting.first, &parting.spin[0]), std::tuple(j, &meeting.second, &parting.spin[1])}) {
+    for (const auto& [sphere, body, spin] : {std::tuple(i, &meeting.first, &parting.spin[0]), std::tuple(j, &meeting.second, &parting.spin[1])}) {
       totals_.dissipated += 0.2 * body->mass * body->radius * body->radius * (body->spin.squaredNorm() - spin->squaredNorm());
       spin_[sphere] = *spin;
     }
@@ -165,10 +166,9 @@ void EventSpheres<Queue, Rule>::watch_for_collapse() {
   if (++watched_ < window) return;
   const double spent = time() - watched_from_;
   if (spent <= collapsed * longest_watch_)
-    throw WorkError(
-        fmt::format("the flow collapsed at {:.6g} s: {} collisions of spheres that are constantly in contact took {:.3g} s together, "
-                    "and collisions that take no time cannot go on from there; a softer contact needs another engine",
-                    time(), window, spent));
+    throw WorkError(fmt::format("the flow collapsed at {:.6g} s: {} collisions of spheres that are constantly in contact took {:.3g} s together, "
+                                "and collisions that take no time cannot go on from there; a softer contact needs another engine",
+                                time(), window, spent));
   longest_watch_ = std::max(longest_watch_, spent);
   watched_ = 0;
   watched_from_ = time();

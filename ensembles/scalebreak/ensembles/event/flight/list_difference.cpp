@@ -24,7 +24,7 @@ void find_difference(std::span<const Neighbour> before, std::span<const Neighbou
   constexpr std::size_t lanes = 8;
   constexpr Neighbour no_entry(most_flying_spheres, 0);
   alignas(32) std::array<Neighbour, most_by_eights> entries;
-  std::array<__m256i, most_by_eights / lanes> seen;
+  __m256i seen[most_by_eights / lanes];
   const std::size_t rows = (after.size() + lanes - 1) / lanes;
   std::copy(after.begin(), after.end(), entries.begin());
   std::fill(entries.begin() + static_cast<std::ptrdiff_t>(after.size()), entries.begin() + static_cast<std::ptrdiff_t>(rows * lanes),

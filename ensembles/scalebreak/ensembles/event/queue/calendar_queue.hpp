@@ -19,14 +19,13 @@ class CalendarQueue {
   [[nodiscard]] double time_of(std::uint32_t sphere) const { return entry_[sphere].time; }
   [[nodiscard]] std::uint64_t operations() const { return operations_; }
 
-  /// Spheres of which one is due next, and those that are likely to be due soon, to be fetched ahead of their events.
-  template <class Next, class Soon>
-  void for_each_ahead(Next&& next, Soon&& soon) const {
-    for (std::size_t k = 1; k < 3 && k < today_.size(); ++k) next(today_[k].sphere);
-    for (std::size_t k = 3; k < 7 && k < today_.size(); ++k) soon(today_[k].sphere);
+  /// Spheres that are likely to be due soon, to be fetched ahead of their events.
+  template <class Visit>
+  void for_each_soon(Visit&& visit) const {
+    for (std::size_t k = 1; k < 7 && k < today_.size(); ++k) visit(today_[k].sphere);
     if (today_.size() > 3 || now_ + 1 >= day_.size()) return;
     std::uint32_t sphere = day_[now_ + 1];
-    for (int k = 0; k < 3 && sphere != none; ++k, sphere = entry_[sphere].next) soon(sphere);
+    for (int k = 0; k < 3 && sphere != none; ++k, sphere = entry_[sphere].next) visit(sphere);
   }
 
  private:
