@@ -119,7 +119,7 @@ void EventSpheres<Queue, Rule>::go_through_numbers(Numbers&& number) {
   for (const int axis : {0, 1, 2}) number(flight_.cell.size[axis]);
   for (Boundary& boundary : flight_.cell.boundary) number(reinterpret_cast<std::underlying_type_t<Boundary>&>(boundary));
   number(flight_.cell.shear_rate), number(flight_.cell.shear_offset), number(flight_.cell.wall_speed);
-  number(flight_.flow_rate), number(flight_.allowance), number(flight_.largest_reach);
+  number(flight_.flow_rate), number(flight_.allowance), number(flight_.least_reach), number(flight_.largest_reach);
   number(base_), number(now_), number(renew_at_), number(collisions_left_);
   number(watched_), number(watched_from_), number(longest_watch_);
   number(totals_.collisions), number(totals_.wall_collisions), number(totals_.stale), number(totals_.lists), number(totals_.renewals);

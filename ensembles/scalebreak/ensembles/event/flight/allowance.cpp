@@ -28,7 +28,7 @@ double fast_allowance(const System& system) {
   double mean = 0;
   for (const double radius : system.radius) mean += radius / static_cast<double>(system.count());
   const double dense = volume_fraction(system.cell, system.radius);
-  const double fast = mean * std::clamp(0.32 * std::pow(dense, -0.6), 0.3, 1.6);
+  const double fast = mean * std::clamp(0.32 * std::pow(dense, -0.7), 0.3, 2.0);
   // Lists reach at most half of a periodic edge.
   return std::min(fast, 0.999 * (shortest_periodic_edge(system.cell) / 4 - largest_radius(system)));
 }

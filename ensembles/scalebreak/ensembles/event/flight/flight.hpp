@@ -2,12 +2,12 @@
 
 #include <cmath>
 #include <cstdint>
-#include <vector>
 
 #include <Eigen/Core>
 
 #include <scalebreak/cell/cell.hpp>
 #include <scalebreak/ensembles/event/flight/flying_sphere.hpp>
+#include <scalebreak/ensembles/event/large_list.hpp>
 #include <scalebreak/ensembles/event/near/images.hpp>
 #include <scalebreak/ensembles/event/near/reference_bins.hpp>
 
@@ -40,12 +40,12 @@ struct Flight {
   Cell cell;
   Images images{cell};
   Eigen::Vector3d gravity{0, 0, 0};
-  double flow_rate = 0;      ///< of the references along x with z [1/s]
-  double allowance = 0;      ///< how far a sphere may go from its reference [m]
-  double largest_reach = 0;  ///< [m]
-  std::vector<FlyingSphere> sphere;
-  std::vector<Agenda> agenda;
-  std::vector<Neighbour> pool;  ///< lists, each with room to grow
+  double flow_rate = 0;                       ///< of the references along x with z [1/s]
+  double allowance = 0;                       ///< how far a sphere may go from its reference [m]
+  double least_reach = 0, largest_reach = 0;  ///< [m]
+  LargeList<FlyingSphere> sphere;
+  LargeList<Agenda> agenda;
+  LargeList<Neighbour> pool;  ///< lists, each with room to grow
   ReferenceBins bins;
 
   [[nodiscard]] bool falls() const { return !gravity.isZero(0); }

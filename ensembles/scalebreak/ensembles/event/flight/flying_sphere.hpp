@@ -15,14 +15,16 @@ static_assert(sizeof(FlyingSphere) == 64);
 
 /// On a parabola, or without gravity on a line: the same expression, so that a scene without gravity does not pay for it.
 template <bool falls>
-[[nodiscard, gnu::always_inline]] inline Eigen::Vector3d position_at(const FlyingSphere& sphere, double time, const Eigen::Vector3d& gravity) {
+[[nodiscard, gnu::always_inline]] inline Eigen::Vector3d position_at(const FlyingSphere& sphere, double time,
+                                                                     const Eigen::Vector3d& gravity) {
   const double flown = time - sphere.time;
   if constexpr (falls) return sphere.position + flown * (sphere.velocity + flown / 2 * gravity);
   return sphere.position + flown * sphere.velocity;
 }
 
 template <bool falls>
-[[nodiscard, gnu::always_inline]] inline Eigen::Vector3d velocity_at(const FlyingSphere& sphere, double time, const Eigen::Vector3d& gravity) {
+[[nodiscard, gnu::always_inline]] inline Eigen::Vector3d velocity_at(const FlyingSphere& sphere, double time,
+                                                                     const Eigen::Vector3d& gravity) {
   if constexpr (falls) return sphere.velocity + (time - sphere.time) * gravity;
   return sphere.velocity;
 }

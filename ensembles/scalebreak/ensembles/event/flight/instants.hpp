@@ -19,7 +19,8 @@ inline constexpr double never = std::numeric_limits<double>::infinity();
 }
 
 /// When two centres a vector `apart`, in relative motion at `velocity`, come to the distance: |apart + velocity t| = distance.
-[[nodiscard, gnu::always_inline]] inline double time_to_meet(const Eigen::Vector3d& apart, const Eigen::Vector3d& velocity, double distance) {
+[[nodiscard, gnu::always_inline]] inline double time_to_meet(const Eigen::Vector3d& apart, const Eigen::Vector3d& velocity,
+                                                             double distance) {
   const double approach = dot(apart, velocity);
   if (approach >= 0) return never;
   const double gap = dot(apart, apart) - distance * distance;
@@ -50,7 +51,8 @@ inline constexpr double never = std::numeric_limits<double>::infinity();
 }
 
 /// When |away + velocity t| grows to `allowance` − `shrinking` t; now if it is that far already.
-[[nodiscard]] inline double time_to_leave(const Eigen::Vector3d& away, const Eigen::Vector3d& velocity, double allowance, double shrinking) {
+[[nodiscard]] inline double time_to_leave(const Eigen::Vector3d& away, const Eigen::Vector3d& velocity, double allowance,
+                                          double shrinking) {
   const double left = away.squaredNorm() - allowance * allowance;
   if (allowance <= 0 || left >= 0) return 0;
   const double square = velocity.squaredNorm() - shrinking * shrinking;

@@ -6,6 +6,9 @@
 #include <span>
 #include <vector>
 
+#include <scalebreak/ensembles/event/flight/instants.hpp>
+#include <scalebreak/ensembles/event/flight/list_difference.hpp>
+
 namespace scalebreak {
 namespace {
 
@@ -22,19 +25,16 @@ int nearest_crossing(double difference, double edge) { return difference > edge 
 /// The same of any difference, over the edge.
 int crossings(double difference) { return std::abs(difference) <= 0.5 ? 0 : -static_cast<int>(std::lround(difference)); }
 
-/// Neighbours of a sphere by the references.
-void find_near(const Flight& flight, std::uint32_t i, double now, std::vector<Neighbour>& found) {
+/// Of candidates those that are near, each with the image that is.
+void resolve_images(const Flight& flight, std::uint32_t i, double strain, std::span<const Neighbour> candidates,
+                    std::vector<Neighbour>& found) {
   const Agenda& own = flight.agenda[i];
   const Cell& cell = flight.cell;
-  const double strain = flight.flow_rate * now;
   const bool periodic[] = {cell.periodic(0), cell.periodic(1), cell.periodic(2)};
-  static thread_local std::vector<std::uint32_t> space;
-  const auto candidates = flight.bins.find_near(own.reference, own.reach + flight.largest_reach, strain, space);
-  for (const std::uint32_t k : candidates) __builtin_prefetch(&flight.agenda[k]);
-  found.clear();
-  for (const std::uint32_t k : candidates) {
-    if (k == i) continue;
-    const Agenda& other = flight.agenda[k];
+  for (const Neighbour k : candidates) __builtin_prefetch(&flight.agenda[k.sphere()]);
+  for (const Neighbour k : candidates) {
+    if (k.sphere() == i) continue;
+    const Agenda& other = flight.agenda[k.sphere()];
     const double distance = own.reach + other.reach;
     Eigen::Vector3d apart = other.reference - own.reference;
     const int z = periodic[2] ? nearest_crossing(apart.z(), cell.size.z()) : 0;
@@ -46,7 +46,24 @@ void find_near(const Flight& flight, std::uint32_t i, double now, std::vector<Ne
     apart.x() += x * cell.size.x();
     if (apart.squaredNorm() >= distance * distance) continue;
     assert(std::abs(x) <= Images::most_along_x);
-    found.emplace_back(k, Images::code(x, y, z));
+    found.emplace_back(k.sphere(), Images::code(x, y, z));
+  }
+}
+
+/// Neighbours of a sphere by the references.
+void find_near(const Flight& flight, std::uint32_t i, double now, std::vector<Neighbour>& found) {
+  static thread_local ReferenceBins::Space space;
+  const Agenda& own = flight.agenda[i];
+  const double strain = flight.flow_rate * now;
+  const auto [candidates, exact] = flight.bins.find_near(own.reference, own.reach + flight.largest_reach, strain, space);
+  found.clear();
+  // Where all reach alike and nothing flows, the bins are right about images, and a few that are too far do no harm.
+  if (!exact || flight.flow_rate != 0 || flight.least_reach != flight.largest_reach)
+    return resolve_images(flight, i, strain, candidates, found);
+  for (const Neighbour k : candidates) {
+    if (k.sphere() == i) continue;
+    __builtin_prefetch(&flight.sphere[k.sphere()]);
+    found.push_back(k);
   }
 }
 
@@ -96,20 +113,13 @@ void set_reference(Flight& flight, std::uint32_t i, double now) {
   agenda.made = now;
 }
 
-template <class Entries>
-bool contains(const Entries& entries, Neighbour neighbour) {
-  bool found = false;
-  for (const Neighbour& entry : entries) found |= entry == neighbour;
-  return found;
-}
-
 }  // namespace
 
 void make_lists(Flight& flight) {
-  flight.largest_reach = 0;
+  flight.least_reach = never, flight.largest_reach = 0;
   for (std::size_t i = 0; i < flight.sphere.size(); ++i) {
-    flight.agenda[i].reach = flight.sphere[i].radius + flight.allowance;
-    flight.largest_reach = std::max(flight.largest_reach, flight.agenda[i].reach);
+    const double reach = flight.agenda[i].reach = flight.sphere[i].radius + flight.allowance;
+    flight.least_reach = std::min(flight.least_reach, reach), flight.largest_reach = std::max(flight.largest_reach, reach);
   }
   flight.bins = ReferenceBins(flight.cell, flight.sphere.size());
   flight.pool.clear();
@@ -128,6 +138,7 @@ void make_lists(Flight& flight) {
 
 void renew_list(Flight& flight, std::uint32_t i, double now) {
   static thread_local std::vector<Neighbour> found;
+  static thread_local ListDifference difference;
   if (has_left(flight.cell, flight.position(i, now))) {
     bring_up(flight, i, now);
     wrap(advanced(flight.cell, now), flight.sphere[i].position, flight.sphere[i].velocity);
@@ -138,12 +149,18 @@ void renew_list(Flight& flight, std::uint32_t i, double now) {
   set_reference(flight, i, now);
   flight.bins.move(i, flight.agenda[i].reference);
   find_near(flight, i, now, found);
-  for (const Neighbour& old : list_of(flight, i)) {
-    if (!contains(found, old)) remove_from(flight, old.sphere(), {i, Images::opposite(old.image())});
+  // First told apart, then fetched, then told to.
+  static const bool by_eights = can_find_by_eights();
+  (by_eights && found.size() <= most_by_eights ? find_difference_by_eights : find_difference)(list_of(flight, i), found, difference);
+  const auto& [lost, gained] = difference;
+  for (const auto* const changed : {&lost, &gained}) {
+    for (const Neighbour neighbour : *changed) __builtin_prefetch(&flight.agenda[neighbour.sphere()]);
   }
-  for (const Neighbour& next : found) {
-    if (!contains(list_of(flight, i), next)) add_to(flight, next.sphere(), {i, Images::opposite(next.image())});
+  for (const auto* const changed : {&lost, &gained}) {
+    for (const Neighbour neighbour : *changed) __builtin_prefetch(flight.pool.data() + flight.agenda[neighbour.sphere()].start);
   }
+  for (const Neighbour neighbour : lost) remove_from(flight, neighbour.sphere(), {i, Images::opposite(neighbour.image())});
+  for (const Neighbour neighbour : gained) add_to(flight, neighbour.sphere(), {i, Images::opposite(neighbour.image())});
   set_list(flight, i, found);
 }
 

@@ -12,6 +12,8 @@ namespace scalebreak {
 /// A sphere as another one sees it: its number and which of its images.
 class Neighbour {
  public:
+  static constexpr int image_bits = 6;  ///< the lowest
+
   Neighbour() = default;
   constexpr Neighbour(std::uint32_t sphere, std::uint32_t image) : word_(sphere << image_bits | image) {}
   [[nodiscard]] constexpr std::uint32_t sphere() const { return word_ >> image_bits; }
@@ -20,7 +22,6 @@ class Neighbour {
   friend bool operator==(const Neighbour&, const Neighbour&) = default;
 
  private:
-  static constexpr int image_bits = 6;
   std::uint32_t word_ = 0;
 };
 inline constexpr std::uint32_t most_flying_spheres = (1u << 26) - 16;  ///< the rest stand for walls and for no sphere
@@ -33,7 +34,9 @@ class Images {
     Eigen::Vector3d shift;  ///< at time 0 [m]
     double drift = 0;       ///< velocity along x [m/s]
 
-    [[nodiscard, gnu::always_inline]] Eigen::Vector3d shift_at(double time) const { return {shift.x() + time * drift, shift.y(), shift.z()}; }
+    [[nodiscard, gnu::always_inline]] Eigen::Vector3d shift_at(double time) const {
+      return {shift.x() + time * drift, shift.y(), shift.z()};
+    }
   };
   static constexpr int most_along_x = 3;
 

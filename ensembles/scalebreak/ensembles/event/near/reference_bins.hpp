@@ -10,6 +10,8 @@
 #include <Eigen/Core>
 
 #include <scalebreak/cell/cell.hpp>
+#include <scalebreak/ensembles/event/near/bin.hpp>
+#include <scalebreak/ensembles/event/near/images.hpp>
 
 namespace scalebreak {
 
@@ -28,41 +30,44 @@ class ReferenceBins {
   void save(std::string& bytes) const;
   void load(std::string_view& bytes);
 
-  /// Every sphere whose reference is within `reach` of a point, and some others, once each: in `space`, which grows as needed.
-  [[nodiscard]] std::span<const std::uint32_t> find_near(const Eigen::Vector3d& point, double reach, double strain,
-                                                         std::vector<std::uint32_t>& space) const;
+  /// What find_near uses from one call to the next.
+  struct Space {
+    std::vector<BinVisit> visits;
+    std::vector<Neighbour> found;
+  };
+  /// Every sphere whose reference is within `reach` of a point, once each, and few others: from the steps of the one and the other
+  /// alike. Images are right where `exact`; else, in a cell that is sheared or short, some are farther, and images are left to the caller.
+  struct Near {
+    std::span<const Neighbour> found;  ///< in the space
+    bool exact;
+  };
+  [[nodiscard]] Near find_near(const Eigen::Vector3d& point, double reach, double strain, Space& space) const;
 
  private:
   static constexpr std::uint32_t none = 0xffffffff;
-  static constexpr int lanes = 4, entries = lanes - 1;
-  static constexpr float nowhere = 1e18f;
 
-  /// A cache line: points in single precision, brought back into the cell, which is enough to tell the far from the near.
-  struct alignas(64) Bin {
-    std::array<float, lanes> x, y, z;
-    std::array<std::uint32_t, entries> sphere;
-    std::uint32_t more;  ///< a bin with those that had no room
+  /// A point in whole steps, counted from the lower corner of its bin.
+  struct Place {
+    std::array<int, 3> bin;
+    std::array<std::int16_t, 3> steps;
   };
   struct Range {
     int first = 0, count = 1;
     bool all = false;  ///< of a periodic axis, so that images of one bin cannot be told from each other
   };
 
-  [[nodiscard]] std::array<float, 3> point_in_cell(const Eigen::Vector3d& reference) const;
-  [[nodiscard]] std::uint32_t bin_of(const std::array<float, 3>& point) const;
-  [[nodiscard]] int inside(int axis, int bin) const;
-  [[nodiscard]] Range range(int axis, double low, double high) const;
-  [[nodiscard]] std::array<double, 2> above(int axis, int row, double middle, double reach) const;
-  void put(std::uint32_t bin, std::uint32_t sphere, const std::array<float, 3>& point);
+  [[nodiscard]] Place place_of(const Eigen::Vector3d& reference) const;
+  [[nodiscard]] std::uint32_t number_of(const std::array<int, 3>& bin) const;
+  [[nodiscard, gnu::always_inline]] inline int inside(int axis, int bin) const;
+  [[nodiscard, gnu::always_inline]] inline Range range(int axis, double low, double high) const;
+  [[nodiscard, gnu::always_inline]] inline std::array<double, 2> above(int axis, int row, double middle, double reach) const;
+  void put(std::uint32_t bin, std::uint32_t sphere, const Place& place);
   void take(std::uint32_t bin, std::uint32_t sphere);
-  struct Search;
-  void search_row(std::size_t line, const Range& xs, double middle, Search& search) const;
-  static void search_bin(const Bin& bin, Search& search);
 
   Cell cell_;
   std::array<int, 3> bins_ = {1, 1, 1};
-  Eigen::Vector3d edge_{1, 1, 1};
-  std::vector<Bin> bin_;
+  Eigen::Vector3d edge_{1, 1, 1}, bins_per_length_{1, 1, 1};
+  LargeList<Bin> bin_;
   std::vector<std::uint32_t> bin_of_sphere_;
 };
 

@@ -3,6 +3,7 @@
 #include <limits>
 #include <vector>
 
+#include <scalebreak/ensembles/event/large_list.hpp>
 #include <scalebreak/ensembles/event/queue/event_queue.hpp>
 
 namespace scalebreak {
@@ -21,7 +22,10 @@ class CalendarQueue {
   /// Spheres that are likely to be due soon, to be fetched ahead of their events.
   template <class Visit>
   void for_each_soon(Visit&& visit) const {
-    for (std::size_t k = 1; k < 3 && k < today_.size(); ++k) visit(today_[k].sphere);
+    for (std::size_t k = 1; k < 7 && k < today_.size(); ++k) visit(today_[k].sphere);
+    if (today_.size() > 3 || now_ + 1 >= day_.size()) return;
+    std::uint32_t sphere = day_[now_ + 1];
+    for (int k = 0; k < 3 && sphere != none; ++k, sphere = entry_[sphere].next) visit(sphere);
   }
 
  private:
@@ -46,10 +50,10 @@ class CalendarQueue {
   void begin_day();
   void make_calendar();
 
-  std::vector<Entry> entry_;
-  std::vector<std::uint32_t> day_;  ///< first of each day's list
-  std::vector<Due> today_;          ///< heap, the earliest on top
-  std::vector<double> times_;       ///< space for make_calendar
+  LargeList<Entry> entry_;
+  LargeList<std::uint32_t> day_;  ///< first of each day's list
+  std::vector<Due> today_;        ///< heap, the earliest on top
+  std::vector<double> times_;     ///< space for make_calendar
   double first_ = 0, days_per_time_ = 0;
   std::size_t now_ = 0;  ///< today; day_.size(): there is no calendar
   std::uint64_t operations_ = 0;
