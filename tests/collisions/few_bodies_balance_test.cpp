@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <collisions/kinds.hpp>
 #include <collisions/scenes.hpp>
 #include <scalebreak/collisions/bodies/few_bodies.hpp>
 
@@ -18,13 +19,12 @@ struct Group {
 };
 
 std::vector<Group> groups() {
-  const char* normal_names[] = {"Linear",           "Hertz", "JkrFull", "JkrFullOnOverlap", "JkrPullOff", "JkrPullOffOnOverlap", "JkrTouch",
-                                "JkrTouchOnOverlap"};
   const char* rolling_names[] = {"None", "Cdt", "Epsd", "Epsd2", "Ar"};
   std::vector<Group> all;
   for (std::size_t n = 0; n < all_normals().size(); ++n) {
     for (std::size_t r = 0; r < all_rollings().size(); ++r) {
-      all.push_back({fmt::format("{}Rolling{}", normal_names[n], rolling_names[r]), all_normals()[n], all_rollings()[r]});
+      all.push_back(
+          {fmt::format("{}_Rolling{}", kind_name(all_contact_kinds()[n]), rolling_names[r]), all_normals()[n], all_rollings()[r]});
     }
   }
   return all;
