@@ -102,10 +102,10 @@ const int registered = [] {
     benchmark::RegisterBenchmark(("exact/" + suffix + "/hertz").c_str(), exact_collision, hertz, std::min(error, 1e-6))
         ->Unit(benchmark::kMicrosecond);
     benchmark::RegisterBenchmark(("naive_verlet/" + suffix + "/hertz").c_str(), [=](benchmark::State& state) {
-      naive_collision(state, hertz, reduced_hertz(beta), error);
+      naive_collision(state, hertz, reduced_law<Hertz>(beta), error);
     })->Unit(benchmark::kMicrosecond);
     benchmark::RegisterBenchmark(("naive_verlet/" + suffix + "/jkr").c_str(), [=](benchmark::State& state) {
-      naive_collision(state, jkr, reduced_jkr<double, DampingOn::contact_radius>(beta, AdhesionRange::full), error);
+      naive_collision(state, jkr, reduced_law<JkrOnRadius>(beta, AdhesionRange::full), error);
     })->Unit(benchmark::kMicrosecond);
   }
   return 0;

@@ -103,7 +103,7 @@ class NaivePair {
       return 0;
     }
     const double above = std::max(overlap, 0.0), x = law.coordinate(law.touch() > 0 ? overlap : above);
-    constexpr bool on_overlap = std::is_same_v<Law, Jkr<double, DampingOn::overlap>>;
+    constexpr bool on_overlap = RootDamped<Law>;
     const double damping = [&] {
       if constexpr (on_overlap) return law.damping_of_root(std::pow(above, 0.25));
       return law.damping(x);

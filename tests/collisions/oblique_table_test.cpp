@@ -152,7 +152,7 @@ INSTANTIATE_TEST_SUITE_P(Kinds, Oblique, testing::Values(NormalModel::linear, No
 TEST(ObliqueKeys, SayWhyThereIsNoTable) {
   Input input = glass(NormalModel::hertz);
   input.surface.tangential = TangentialModel::linear;
-  EXPECT_EQ(oblique_key(input, 1e-4).reason, "a linear tangential spring beside a Hertz contact is another one at every speed");
+  EXPECT_EQ(oblique_key(input, 1e-4).reason, "a linear tangential spring beside contact.normal = \"hertz\" is another one at every speed");
   input = glass(NormalModel::jkr);
   input.surface.tangential = TangentialModel::none;
   EXPECT_EQ(oblique_key(input, 1e-4).reason, "nothing acts tangentially");

@@ -27,11 +27,12 @@ struct Words {
 
 inline std::string setting(const std::string& key, const std::string& word) { return fmt::format("{} = \"{}\"\n", key, word); }
 
+/// In the order of all_contact_kinds.
 inline std::vector<std::string> all_normals() {
-  std::vector<std::string> all = {setting("normal", "linear"), setting("normal", "hertz")};
-  for (const char* range : {"full", "pull_off", "touch"}) {
-    for (const char* damping : {"contact_radius", "overlap"})
-      all.push_back(setting("normal", "jkr") + setting("adhesion_range", range) + setting("damping_on", damping));
+  std::vector<std::string> all;
+  for (const ContactKind& kind : all_contact_kinds()) {
+    all.push_back(setting("normal", to_string(kind.normal)));
+    if (kind.adhesive()) all.back() += setting("adhesion_range", to_string(kind.range)) + setting("damping_on", to_string(kind.damping_on));
   }
   return all;
 }

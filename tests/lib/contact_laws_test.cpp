@@ -14,7 +14,10 @@ namespace {
 constexpr double pi = std::numbers::pi;
 constexpr double radius = 0.25e-3, young = 5.3e9, surface_energy = 0.02, mass = 6.5e-7, beta = 0.07;
 
-Jkr<double> jkr(AdhesionRange range = AdhesionRange::full) { return Jkr<double>::make(radius, young, surface_energy, mass, beta, range); }
+constexpr NormalPair pair{
+    .mass = mass, .radius = radius, .young = young, .surface_energy = surface_energy, .spring_constant = 8.1e4, .damping_ratio = beta};
+
+Jkr<double> jkr(AdhesionRange range = AdhesionRange::full) { return Jkr<double>::make(pair, range); }
 
 TEST(JkrLaw, IsTheTextbookForceAndOverlapOfTheContactRadius) {
   for (const double a : {1e-7, 3e-6, 2e-5}) {
@@ -28,7 +31,7 @@ TEST(JkrLaw, IsTheTextbookForceAndOverlapOfTheContactRadius) {
 }
 
 TEST(JkrLaw, DampingOnTheOverlapIsTsujisAndStopsAtZeroOverlap) {
-  const auto law = Jkr<double, DampingOn::overlap>::make(radius, young, surface_energy, mass, beta, AdhesionRange::full);
+  const auto law = JkrOnOverlap<double>::make(pair, AdhesionRange::full);
   const double overlap = 3e-7;
   const double tsuji = 2 * std::sqrt(5.0 / 3) * beta * std::sqrt(mass * young) * std::pow(radius * overlap, 0.25);
   EXPECT_NEAR(law.damping(law.coordinate(overlap)), tsuji, 1e-9 * tsuji);
@@ -68,8 +71,8 @@ TEST(JkrLaw, PeelingWorkIsThatOfThePapers) {
 
 /// The root against long double: Newton's iteration on the quartic from the double's answer.
 TEST(JkrLaw, ContactRadiusOfAnOverlapIsExactFromTheFoldToAMillionEquilibria) {
-  const auto law = reduced_jkr<double, DampingOn::contact_radius>(0, AdhesionRange::full);
-  const auto exact = reduced_jkr<long double, DampingOn::contact_radius>(0, AdhesionRange::full);
+  const auto law = reduced_law<JkrOnRadius>(0.0, AdhesionRange::full);
+  const auto exact = reduced_law<JkrOnRadius>(0.0L, AdhesionRange::full);
   const long double fold = exact.overlap(exact.fold()), equilibrium = exact.overlap(1.0L);
   const auto expect_root = [&](long double overlap) {
     const double x = law.coordinate(static_cast<double>(overlap));
@@ -95,7 +98,7 @@ TEST(JkrLaw, EnergyIsTheIntegralOfTheForce) {
 }
 
 TEST(HertzLaw, IsTheTextbookForceDampingAndEnergyOfTheOverlap) {
-  const auto law = Hertz<double>::make(radius, young, mass, beta);
+  const auto law = Hertz<double>::make(pair, AdhesionRange::touch);
   const double overlap = 2.3e-7, x = law.coordinate(overlap);
   EXPECT_NEAR(law.overlap(x) / overlap, 1, 1e-14);
   EXPECT_NEAR(law.force(x) / (4.0 / 3 * young * std::sqrt(radius) * std::pow(overlap, 1.5)), 1, 1e-13);
@@ -104,9 +107,11 @@ TEST(HertzLaw, IsTheTextbookForceDampingAndEnergyOfTheOverlap) {
 }
 
 TEST(LinearLaw, DampingIsWashinosEquation8) {
-  const double e = 0.7, k = 8.1e4;
-  const auto law = Linear<double>::make(k, mass, damping_ratio(e));
-  EXPECT_NEAR(law.damping(0) / std::sqrt(4 * mass * k / (1 + std::pow(pi / std::log(e), 2))), 1, 1e-14);
+  const double e = 0.7;
+  NormalPair damped = pair;
+  damped.damping_ratio = damping_ratio(e);
+  const auto law = Linear<double>::make(damped, AdhesionRange::touch);
+  EXPECT_NEAR(law.damping(0) / std::sqrt(4 * mass * pair.spring_constant / (1 + std::pow(pi / std::log(e), 2))), 1, 1e-14);
 }
 
 TEST(DampingRatio, IsInvertedByItsInverse) {
@@ -114,8 +119,8 @@ TEST(DampingRatio, IsInvertedByItsInverse) {
 }
 
 TEST(ReducedVariables, TurnAPairIntoTheReducedLaw) {
-  const auto scales = jkr_scales(radius, young, surface_energy, mass);
-  const auto reduced = reduced_jkr<double, DampingOn::contact_radius>(beta, AdhesionRange::full);
+  const auto scales = Jkr<double>::scales(pair, 1.0);
+  const auto reduced = reduced_law<JkrOnRadius>(beta, AdhesionRange::full);
   for (const double x : {0.6, 1.0, 2.5}) {
     const double physical = x * scales.coordinate;
     EXPECT_NEAR(jkr().overlap(physical) / scales.overlap, reduced.overlap(x), 1e-12);
@@ -131,8 +136,8 @@ TEST(ReducedVariables, TurnAPairIntoTheReducedLaw) {
 
 TEST(ReducedVariables, UnitImpactHasTheReducedSpeedItIsAskedFor) {
   for (const double speed : {0.5, 3.0, 1e4}) {
-    const double energy = surface_energy_at_unit_impact(speed);
-    EXPECT_NEAR(1 / jkr_scales(1.0, 1.0, energy, 1.0).speed() / speed, 1, 1e-13);
+    const NormalPair fast = Jkr<double>::pair_of_unit_impact(beta, speed);
+    EXPECT_NEAR(1 / Jkr<double>::scales(fast, 1.0).speed() / speed, 1, 1e-13);
   }
 }
 

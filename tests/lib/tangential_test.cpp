@@ -82,14 +82,14 @@ TEST(Tangential, RatesAreThoseOfItsParts) {
 }
 
 TEST(Tangential, LoadOfHertzAndLinearIsSpringPlusDashpot) {
-  const auto hertz = Hertz<double>::make(radius, young, mass, damping_ratio(e));
+  const auto hertz = Hertz<double>::make(normal_pair(), AdhesionRange::touch);
   EXPECT_EQ(hertz.load(1e-3, 5.5), 5.5);
-  const auto linear = Linear<double>::make(8.1e4, mass, damping_ratio(e));
+  const auto linear = Linear<double>::make(normal_pair(), AdhesionRange::touch);
   EXPECT_EQ(linear.load(1e-7, -5.5), -5.5);  // the engine takes its magnitude, and follows its sign
 }
 
 TEST(Tangential, LoadOfJkrIsTheEffectiveLoadOfWashinosEquation18) {
-  const auto jkr = Jkr<double>::make(radius, young, energy, mass, damping_ratio(e), AdhesionRange::full);
+  const auto jkr = Jkr<double>::make(normal_pair(), AdhesionRange::full);
   const double pull_off = 3 * std::numbers::pi * energy * radius;                         // W eq. 19
   const double a_0 = std::cbrt(9 * std::numbers::pi * energy * radius * radius / young);  // W eq. 20
   for (const double ratio : {0.3, 0.7937, 1.0, 2.5, 11.0}) {

@@ -72,7 +72,7 @@ PairCollision by_brute_force(double l, double q, double p, double speed, double 
   const NormalPair original = bodies.pair();
   for (double& r : bodies.radius) r *= l;
   const double scaled_mass = bodies.pair().mass;
-  const auto law = Hertz<double>::make(original.radius, original.young, original.mass, original.damping_ratio);
+  const auto law = Hertz<double>::make(original, AdhesionRange::touch);
   using State = std::array<double, 2>;
   const auto motion = [&](const State& y, State& rate, double) {
     const double overlap = std::max(y[0], 0.0) / std::pow(l, q), x = law.coordinate(overlap);
@@ -81,7 +81,7 @@ PairCollision by_brute_force(double l, double q, double p, double speed, double 
   State y{0, speed};
   PairCollision result;
   boost::numeric::odeint::runge_kutta_fehlberg78<State> stepper;
-  const double h = hertz_scales(original.radius, original.young, original.mass, speed).time * std::pow(l, q) / 4000;
+  const double h = Hertz<double>::scales(original, speed).time * std::pow(l, q) / 4000;
   for (double t = 0;; t += h) {
     const State before = y;
     stepper.do_step(motion, y, t, h);

@@ -35,7 +35,7 @@ double rayleigh_step(const DemSetup& setup, double smallest_radius) {
 
 std::vector<StepBound> critical_steps(const DemSetup& setup, double smallest_radius, double contact_time) {
   std::vector<StepBound> bounds;
-  if (setup.contact.normal == NormalModel::linear) {
+  if (setup.contact.traits().constant_spring) {
     const double size = size_factor(setup.law, setup.factor);
     const auto of = [&](const Material& original) {
       const Material material =

@@ -1,12 +1,15 @@
 #include <scalebreak/contact/contact_laws.hpp>
 
 #include <algorithm>
+#include <utility>
 
 namespace scalebreak {
 
 bool ContactLaws::needs_overlap_root() const {
-  if (std::holds_alternative<Hertz<double>>(normal)) return false;
-  if (std::holds_alternative<Jkr<double, DampingOn::overlap>>(normal)) return true;
+  const auto [in_coordinate, root_damped] = std::visit(
+      []<class Law>(const Law&) { return std::pair(Law::traits.coordinate == Coordinate::overlap_root, RootDamped<Law>); }, normal);
+  if (in_coordinate) return false;
+  if (root_damped) return true;
   return (tangential.model == TangentialModel::mindlin && tangential.on_overlap) || rolling.on_overlap();
 }
 
@@ -24,8 +27,8 @@ ContactLaws contact_laws(const ContactKind& kind, const SurfaceKind& surface, co
                    .liquid = Liquid::make(surface, pair, surfaces),
                    .arm = surface.torque_arm};
   // The two springs of a Hertz contact are one, and smooth in its contact radius.
-  if (kind.normal == NormalModel::hertz) laws.tangential.on_overlap = false;
-  if (kind.normal == NormalModel::linear) laws.tangential.on_overlap = true;
+  if (kind.traits().coordinate == Coordinate::overlap_root) laws.tangential.on_overlap = false;
+  if (kind.traits().coordinate == Coordinate::overlap) laws.tangential.on_overlap = true;
   return laws;
 }
 

@@ -2,6 +2,9 @@
 
 #include <cmath>
 
+#include <scalebreak/contact/normal_terms.hpp>
+#include <scalebreak/material/pair.hpp>
+
 namespace scalebreak {
 
 /// Hertz contact with Tsuji's dashpot (Washino et al. 2024, eqs 10 and 15; Antypov & Elliott 2011):
@@ -16,9 +19,22 @@ struct Hertz {
   T dashpot;    ///< 2√(5/3) β √(m* E*) [N s/m^{3/2}]
   T radius;     ///< R* [m]
 
-  [[nodiscard]] static Hertz make(T radius, T young, T mass, T beta) {
+  static constexpr NormalTraits traits{.name = "hertz"};
+
+  [[nodiscard]] static Hertz make(const NormalPairOf<T>& pair, AdhesionRange) {
     using std::sqrt;
-    return {1 / radius, 4 * young / (3 * radius), 2 * sqrt(T(5) / 3) * beta * sqrt(mass * young), radius};
+    return {1 / pair.radius, 4 * pair.young / (3 * pair.radius), 2 * sqrt(T(5) / 3) * pair.damping_ratio * sqrt(pair.mass * pair.young),
+            pair.radius};
+  }
+
+  /// Overlap (m*v²/(E*√R*))^{2/5} of a pair that meets at `speed`; its reduced speed is 1.
+  [[nodiscard]] static ReducedScales<T> scales(const NormalPairOf<T>& pair, T speed) {
+    using std::pow, std::sqrt;
+    const T overlap = pow(pair.mass * speed * speed / (pair.young * sqrt(pair.radius)), T(2) / 5);
+    return {sqrt(sqrt(pair.radius * overlap)), overlap, overlap / speed, pair.mass * speed * speed / overlap};
+  }
+  [[nodiscard]] static NormalPairOf<T> reduced_pair(T beta) {
+    return {.mass = 1, .radius = 1, .young = 1, .surface_energy = 0, .spring_constant = 1, .damping_ratio = beta};
   }
 
   [[nodiscard]] T overlap(T x) const { return curvature * x * x * x * x; }
@@ -47,6 +63,7 @@ struct Hertz {
     return sqrt(sqrt(overlap * radius));
   }
   [[nodiscard]] T touch() const { return T(0); }
+  [[nodiscard]] T bottom() const { return T(0); }
   [[nodiscard]] T separation() const { return T(0); }
 
   /// The same law of another scalar, its numbers given by `value`, a function of a pointer to member.

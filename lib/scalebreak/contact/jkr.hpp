@@ -4,7 +4,8 @@
 #include <numbers>
 
 #include <scalebreak/base/scalar.hpp>
-#include <scalebreak/contact/contact_kind.hpp>
+#include <scalebreak/contact/normal_terms.hpp>
+#include <scalebreak/material/pair.hpp>
 
 namespace scalebreak {
 
@@ -25,17 +26,44 @@ struct Jkr {
   T radius;            ///< R* [m]
   AdhesionRange range;
 
-  /// `surface_energy` must be positive: without it the contact is Hertz's.
-  [[nodiscard]] static Jkr make(T radius, T young, T surface_energy, T mass, T beta, AdhesionRange range) {
+  static constexpr NormalTraits traits{.name = "jkr",
+                                       .without_adhesion = "hertz",
+                                       .furthest_end = AdhesionRange::full,
+                                       .damping_on = damping_on,
+                                       .coordinate = Coordinate::radius_root};
+
+  /// The surface energy must be positive: without it the contact is Hertz's.
+  [[nodiscard]] static Jkr make(const NormalPairOf<T>& pair, AdhesionRange range) {
     using std::sqrt;
-    const T pi_gamma = std::numbers::pi_v<T> * surface_energy;
-    return {1 / radius,
-            sqrt(4 * pi_gamma / young),
-            4 * young / (3 * radius),
-            4 * sqrt(pi_gamma * young),
-            2 * sqrt(T(5) / 3) * beta * sqrt(mass * young),
-            radius,
+    const T pi_gamma = std::numbers::pi_v<T> * pair.surface_energy;
+    return {1 / pair.radius,
+            sqrt(4 * pi_gamma / pair.young),
+            4 * pair.young / (3 * pair.radius),
+            4 * sqrt(pi_gamma * pair.young),
+            2 * sqrt(T(5) / 3) * pair.damping_ratio * sqrt(pair.mass * pair.young),
+            pair.radius,
             range};
+  }
+
+  /// √a_0, δ_0, τ, F_po (see reduced.hpp), whatever the speed.
+  [[nodiscard]] static ReducedScales<T> scales(const NormalPairOf<T>& pair, T) {
+    using std::cbrt, std::sqrt;
+    const T pi_gamma = std::numbers::pi_v<T> * pair.surface_energy;
+    const T contact_radius = cbrt(9 * pi_gamma * pair.radius * pair.radius / pair.young);
+    const T unit = contact_radius * contact_radius / pair.radius;
+    const T force_unit = 3 * pi_gamma * pair.radius;
+    return {sqrt(contact_radius), unit, sqrt(pair.mass * unit / force_unit), force_unit};
+  }
+  [[nodiscard]] static NormalPairOf<T> reduced_pair(T beta) {
+    return {
+        .mass = 1, .radius = 1, .young = 3, .surface_energy = 1 / (3 * std::numbers::pi_v<T>), .spring_constant = 1, .damping_ratio = beta};
+  }
+  /// The pair R* = E* = m* = 1 that, hit at speed 1, has reduced speed v̂: the same collision in the units of its impact, in which
+  /// nothing is large when v̂ is.
+  [[nodiscard]] static NormalPairOf<T> pair_of_unit_impact(T beta, T reduced_speed) {
+    using std::pow;
+    const T energy = pow(3 / (reduced_speed * reduced_speed), T(3) / 5) / (9 * std::numbers::pi_v<T>);
+    return {.mass = 1, .radius = 1, .young = 1, .surface_energy = energy, .spring_constant = 1, .damping_ratio = beta};
   }
 
   [[nodiscard]] T overlap(T x) const { return x * (curvature * x * x * x - adhesive_overlap); }
@@ -92,6 +120,11 @@ struct Jkr {
     return (p + sqrt(positive_part(T(2 * root - p * p)))) / 2;
   }
 
+  /// The same contact where nothing damps: below zero overlap, of the dashpot on the overlap.
+  [[nodiscard]] Jkr<T, DampingOn::contact_radius> undamped() const {
+    return {curvature, adhesive_overlap, stiffness, adhesive_force, T(0), radius, range};
+  }
+
   /// x where dδ/dx = 0: no contact exists below (point S).
   [[nodiscard]] T fold() const {
     using std::cbrt;
@@ -100,6 +133,11 @@ struct Jkr {
   [[nodiscard]] T touch() const {
     using std::cbrt;
     return cbrt(adhesive_overlap / curvature);
+  }
+  /// x where spring and adhesion balance.
+  [[nodiscard]] T bottom() const {
+    using std::cbrt;
+    return cbrt(adhesive_force / stiffness);
   }
   /// x at the force minimum −3πγR*, where a³ = 9πγR*²/(4E*) (point C).
   [[nodiscard]] T pull_off() const {
@@ -139,5 +177,10 @@ struct Jkr {
             adhesive_force * adhesive_overlap / 4);
   }
 };
+
+template <class T>
+using JkrOnOverlap = Jkr<T, DampingOn::overlap>;
+template <class T>
+using JkrOnRadius = Jkr<T, DampingOn::contact_radius>;
 
 }  // namespace scalebreak

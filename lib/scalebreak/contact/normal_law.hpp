@@ -1,29 +1,30 @@
 #pragma once
 
-#include <type_traits>
 #include <variant>
 
-#include <scalebreak/contact/hertz.hpp>
-#include <scalebreak/contact/jkr.hpp>
-#include <scalebreak/contact/linear.hpp>
-#include <scalebreak/material/pair.hpp>
+#include <scalebreak/contact/contact_kind.hpp>
 
 namespace scalebreak {
 
 /// Any normal law, chosen at run time.
-using NormalLaw = std::variant<Linear<double>, Hertz<double>, Jkr<double, DampingOn::contact_radius>, Jkr<double, DampingOn::overlap>>;
+using NormalLaw = NormalLaws::Law;
 
-/// The normal law of a pair, SI. The kind must suit the pair: JKR needs surface_energy > 0.
-[[nodiscard]] inline NormalLaw normal_law(const ContactKind& kind, const NormalPair& pair) {
-  switch (kind.normal) {
-    case NormalModel::linear: return Linear<double>::make(pair.spring_constant, pair.mass, pair.damping_ratio);
-    case NormalModel::hertz: return Hertz<double>::make(pair.radius, pair.young, pair.mass, pair.damping_ratio);
-    case NormalModel::jkr: break;
-  }
-  if (kind.damping_on == DampingOn::contact_radius) {
-    return Jkr<double>::make(pair.radius, pair.young, pair.surface_energy, pair.mass, pair.damping_ratio, kind.range);
-  }
-  return Jkr<double, DampingOn::overlap>::make(pair.radius, pair.young, pair.surface_energy, pair.mass, pair.damping_ratio, kind.range);
+/// Calls `visitor` with the LawForm of a kind.
+template <class Visitor>
+decltype(auto) visit_form(const ContactKind& kind, Visitor&& visitor) {
+  return std::visit(std::forward<Visitor>(visitor), NormalLaws::forms[normal_form(kind)]);
 }
+
+/// The normal law of a pair, SI. The kind must suit the pair: an adhesive law needs surface_energy > 0.
+[[nodiscard]] inline NormalLaw normal_law(const ContactKind& kind, const NormalPair& pair) {
+  return visit_form(kind, [&]<template <class> class Law>(LawForm<Law>) -> NormalLaw { return Law<double>::make(pair, kind.range); });
+}
+
+/// Is a law's dashpot smooth in w = δ^{1/4} and not in its own coordinate? Then it gives it as damping_of_root(w) too, and is `undamped`
+/// below zero overlap.
+template <class Law>
+concept RootDamped = requires(const Law& law) {
+  law.damping_of_root(law.touch());
+};
 
 }  // namespace scalebreak

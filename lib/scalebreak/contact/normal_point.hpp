@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cmath>
-#include <type_traits>
 
 #include <scalebreak/contact/contact_point.hpp>
 #include <scalebreak/contact/normal_law.hpp>
@@ -27,7 +26,7 @@ template <class Law>
   n.slope = rooted ? 4 * root * root * root : n.coordinate_slope;
   n.elastic = law.force(x);
   n.elastic_slope = law.force_slope(x);
-  if constexpr (std::is_same_v<Law, Jkr<double, DampingOn::overlap>>) {
+  if constexpr (RootDamped<Law>) {
     n.damping = rooted ? law.damping_of_root(root) : 0.0;  // zero for δ ≤ 0; its load does not hold it
   } else {
     n.damping = law.damping(x);
@@ -36,7 +35,7 @@ template <class Law>
   n.total = n.elastic + n.damping * approach;
   n.point.overlap = rooted ? root * root * root * root : law.overlap(x);
   n.point.root = law.root_radius(x);
-  n.point.overlap_root = std::is_same_v<Law, Hertz<double>> ? x : rooted ? std::sqrt(std::sqrt(radius)) * root : 0.0;
+  n.point.overlap_root = Law::traits.coordinate == Coordinate::overlap_root ? x : rooted ? std::sqrt(std::sqrt(radius)) * root : 0.0;
   n.point.load = law.load(x, n.total);
   return n;
 }
@@ -47,8 +46,8 @@ template <class Law>
                                       double approach, double approach_rate, double radius) {
   ContactPoint rate;
   rate.overlap = n.coordinate_slope * x_rate;
-  if constexpr (!std::is_same_v<Law, Linear<double>>) rate.root = x_rate;
-  rate.overlap_root = std::is_same_v<Law, Hertz<double>> ? x_rate : rooted ? std::sqrt(std::sqrt(radius)) * root_rate : 0.0;
+  rate.root = law.root_radius(x_rate);
+  rate.overlap_root = Law::traits.coordinate == Coordinate::overlap_root ? x_rate : rooted ? std::sqrt(std::sqrt(radius)) * root_rate : 0.0;
   const double total_rate = (n.elastic_slope + n.damping_slope * approach) * x_rate + n.damping * approach_rate;
   rate.load = law.load_rate(x, x_rate, total_rate);
   return rate;

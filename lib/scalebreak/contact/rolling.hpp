@@ -30,7 +30,7 @@ struct RollingOf {
   [[nodiscard]] static RollingOf make(const SurfaceKind& kind, const ContactKind& contact, const NormalPair& pair,
                                       const SurfacePair& surfaces, double adhesive_rolling) {
     const double square = pair.radius * pair.radius, mu = surfaces.rolling_friction;
-    RollingOf law{.model = kind.rolling, .linear = contact.normal == NormalModel::linear, .limit = mu * pair.radius};
+    RollingOf law{.model = kind.rolling, .linear = contact.traits().constant_spring, .limit = mu * pair.radius};
     switch (kind.rolling) {
       case RollingModel::none:
       case RollingModel::cdt: break;

@@ -5,14 +5,16 @@
 namespace scalebreak {
 
 /// What the normal contact of two bodies depends on, SI.
-struct NormalPair {
-  double mass;             ///< m* [kg]
-  double radius;           ///< R* [m]
-  double young;            ///< E* [Pa]
-  double surface_energy;   ///< γ of ONE surface, the mean of the two, so that Γ = 2γ = γ₁ + γ₂ [J/m²]
-  double spring_constant;  ///< k of the linear contact [N/m]
-  double damping_ratio;    ///< β of the restitution [-]
+template <class T>
+struct NormalPairOf {
+  T mass;             ///< m* [kg]
+  T radius;           ///< R* [m]
+  T young;            ///< E* [Pa]
+  T surface_energy;   ///< γ of ONE surface, the mean of the two, so that Γ = 2γ = γ₁ + γ₂ [J/m²]
+  T spring_constant;  ///< k of the linear contact [N/m]
+  T damping_ratio;    ///< β of the restitution [-]
 };
+using NormalPair = NormalPairOf<double>;
 
 /// What else the contact of two bodies depends on, SI. Coefficients of unlike spheres are geometric means, those of `sds` too; linear
 /// springs act in series, of the liquid's properties the means are taken; coefficients given for a wall are the pair's.

@@ -74,7 +74,7 @@ Material scaled_material(const ScalingLaw& law, double factor, Material material
   material.spring_constant_tangential *= std::pow(factor, law.spring_constant);
   material.surface_energy *= std::pow(factor, law.surface_energy);
   material.rolling_angle_max *= std::pow(factor, law.rolling_angle_max);
-  const double liquid = std::pow(factor, normal == NormalModel::linear ? law.liquid_linear : law.liquid);
+  const double liquid = std::pow(factor, traits_of(normal).constant_spring ? law.liquid_linear : law.liquid);
   material.surface_tension *= liquid;
   material.viscosity *= liquid;
   // A law that multiplies every force and every inverse time by one number multiplies force over speed by it and force over length by
@@ -92,13 +92,13 @@ std::optional<std::string> refusal(const ScalingLaw& law, double factor, NormalM
     return fmt::format("scaling.law = \"{}\" enlarges the particles, its scaling.factor is at least 1, found {}", law.name, factor);
   }
   const bool surface_energy_only = !law.direct_force && law.young == 0 && law.spring_constant == 0;
-  if (surface_energy_only && normal != NormalModel::jkr) {
-    return fmt::format("scaling.law = \"{}\" scales the surface energy alone, which contact.normal = \"{}\" does not use; use \"jkr\"",
-                       law.name, to_string(normal));
+  if (surface_energy_only && !traits_of(normal).adhesive()) {
+    return fmt::format("scaling.law = \"{}\" scales the surface energy alone, which contact.normal = \"{}\" does not use; use {}", law.name,
+                       to_string(normal), normal_names_where([](const NormalTraits& other) { return other.adhesive(); }));
   }
-  if (law.young != 0 && law.spring_constant == 0 && normal == NormalModel::linear) {
-    return fmt::format(
-        "scaling.law = \"{}\" scales Young's modulus, which contact.normal = \"linear\" does not use; use \"hertz\" or \"jkr\"", law.name);
+  if (law.young != 0 && law.spring_constant == 0 && traits_of(normal).constant_spring) {
+    return fmt::format("scaling.law = \"{}\" scales Young's modulus, which contact.normal = \"{}\" does not use; use {}", law.name,
+                       to_string(normal), normal_names_where([](const NormalTraits& other) { return !other.constant_spring; }));
   }
   return std::nullopt;
 }

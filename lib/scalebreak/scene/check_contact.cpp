@@ -28,18 +28,22 @@ struct Refusal {
                                place(given, {"contact." + key, "contact.attraction", "contact.normal"}), key, word, needs, but, allowed));
 }
 
-void refuse_linear(const Given& given, const std::string& key, const std::string& word, const std::string& allowed) {
-  refuse(given, {key, word, "a contact radius", "contact.normal = \"linear\" has none", allowed + ", or normal = \"hertz\" or \"jkr\""});
+void refuse_without_radius(const Input& input, const Given& given, const std::string& key, const std::string& word,
+                           const std::string& allowed) {
+  refuse(
+      given,
+      {key, word, "a contact radius", fmt::format("contact.normal = \"{}\" has none", to_string(input.contact.normal)),
+       allowed + ", or normal = " + normal_names_where([](const NormalTraits& other) { return other.coordinate != Coordinate::overlap; })});
 }
 
-/// A linear contact has no radius that a law could work on.
-void check_linear(const Input& input, const Given& given) {
+/// Without a contact radius no law can work on it.
+void check_without_radius(const Input& input, const Given& given) {
   if (find_given(given, "contact.damping_on") && input.contact.damping_on == DampingOn::contact_radius)
-    refuse_linear(given, "damping_on", "contact_radius", "\"overlap\"");
+    refuse_without_radius(input, given, "damping_on", "contact_radius", "\"overlap\"");
   if (find_given(given, "contact.tangential_radius") && input.surface.tangential == TangentialModel::mindlin &&
       input.surface.tangential_radius == DampingOn::contact_radius)
-    refuse_linear(given, "tangential_radius", "contact_radius", "\"overlap\"");
-  if (input.surface.rolling == RollingModel::ar) refuse_linear(given, "rolling", "ar", other_rolling);
+    refuse_without_radius(input, given, "tangential_radius", "contact_radius", "\"overlap\"");
+  if (input.surface.rolling == RollingModel::ar) refuse_without_radius(input, given, "rolling", "ar", other_rolling);
 }
 
 /// Two bodies that meet, as far as their surfaces go.
@@ -117,16 +121,15 @@ void check_liquid(const SurfaceKind& kind, const Meeting& meeting, const Given& 
 }  // namespace
 
 void check_contact(Input& input, const Given& given) {
-  const NormalModel normal = input.contact.normal;
-  if (normal == NormalModel::jkr) return;
-  if (find_given(given, "contact.adhesion_range") && input.contact.range != AdhesionRange::touch) {
-    refuse(given, {"adhesion_range", to_string(input.contact.range), "adhesion",
-                   fmt::format("contact.normal = \"{}\" has none", to_string(normal)), "\"touch\", or normal = \"jkr\""});
+  const NormalTraits& law = input.contact.traits();
+  if (!law.adhesive() && find_given(given, "contact.adhesion_range") && input.contact.range != AdhesionRange::touch) {
+    refuse(given, {"adhesion_range", to_string(input.contact.range), "adhesion", fmt::format("contact.normal = \"{}\" has none", law.name),
+                   "\"touch\", or normal = " + normal_names_where([](const NormalTraits& other) { return other.adhesive(); })});
   }
-  if (normal == NormalModel::linear) check_linear(input, given);
-  // A Hertz contact has a = √(R* δ), and a linear one no radius but that.
+  if (law.coordinate == Coordinate::overlap) check_without_radius(input, given);
   input.contact = canonical(input.contact);
-  input.surface.tangential_radius = DampingOn::overlap;
+  // A Hertz contact has a = √(R* δ), and a linear one no radius but that.
+  if (law.coordinate != Coordinate::radius_root) input.surface.tangential_radius = DampingOn::overlap;
 }
 
 void check_surfaces(const Input& input, const Given& given) {

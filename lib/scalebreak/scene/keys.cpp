@@ -55,7 +55,7 @@ void add_contact(std::vector<Key>& list) {
   const auto add = [&](const char* name, const char* meaning, std::vector<std::string> words, auto part, auto member) {
     list.push_back(choice_of("contact", name, meaning, std::move(words), part, member));
   };
-  add("normal", "normal force law", {"linear", "hertz", "jkr"}, &Input::contact, &ContactKind::normal);
+  add("normal", "normal force law", normal_names(), &Input::contact, &ContactKind::normal);
   add("adhesion_range", "where a JKR contact ends: tear-off fold, force minimum, zero overlap", {"full", "pull_off", "touch"},
       &Input::contact, &ContactKind::range);
   add("damping_on", "what the normal dashpot grows with", {"overlap", "contact_radius"}, &Input::contact, &ContactKind::damping_on);
@@ -142,7 +142,8 @@ std::vector<Key> make_keys() {
                         "relative growth of energy per collision of each sphere up to which a step counts as stable",
                         [](Input& input) -> double& { return input.study_energy_growth; }));
   list.push_back(choices(
-      "study", "methods", "of tradeoff: what is compared; empty: all that suit the scene", words_of(method_words), 0, std::size(method_words),
+      "study", "methods", "of tradeoff: what is compared; empty: all that suit the scene", words_of(method_words), 0,
+      std::size(method_words),
       [](Input& input, const std::vector<std::size_t>& chosen) {
         input.tradeoff.methods.clear();
         for (const std::size_t i : chosen) input.tradeoff.methods.push_back(static_cast<Method>(i));

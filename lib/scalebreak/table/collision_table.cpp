@@ -15,8 +15,9 @@ namespace {
 /// It fades for fast impacts, which hardly feel it.
 double entry_time(double speed) { return 9.0 / 8.0 * speed / (1 + speed * speed); }
 
+/// In its coordinate the largest overlap is smooth over the speed.
 const Jkr<double>& unit_jkr() {
-  static const auto law = reduced_jkr<double, DampingOn::contact_radius>(0.0, AdhesionRange::full);
+  static const auto law = reduced_law<JkrOnRadius>(0.0, AdhesionRange::full);
   return law;
 }
 

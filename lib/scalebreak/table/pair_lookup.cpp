@@ -46,9 +46,8 @@ PairLookup::PairLookup(const CollidingPair& pair, const TableRow* normal, const 
   mass_ = 1 / (1 / pair.mass[0] + 1 / pair.mass[1]);
   distance_ = pair.radius[0] + pair.radius[1];
   if (!pair.kind.adhesive()) return;
-  scales_ = jkr_scales(pair.normal.radius, pair.normal.young, pair.normal.surface_energy, pair.normal.mass);
-  const auto law = reduced_jkr<double, DampingOn::contact_radius>(0.0, pair.kind.range);
-  end_gap_ = -law.overlap(law.separation()) * scales_.overlap;
+  scales_ = reduce(pair.kind, pair.normal, 1.0).scales;
+  end_gap_ = reduced_end_gap(pair.kind) * scales_.overlap;
 }
 
 PairOutcome PairLookup::resolve(const PairImpact& impact, double tolerance) const {

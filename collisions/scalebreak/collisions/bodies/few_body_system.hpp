@@ -34,7 +34,9 @@ enum class LinkEvent { phase_end, phase_begin, slide, skid, roll, load_sign, nea
 /// Where time stands still (a Hertz contact's begin and end, a root at zero overlap) several contacts at once could neither begin nor
 /// end: they do so at this share of their coordinate, of which the fourth power is the overlap.
 inline constexpr double begin_share = 1e-4, end_share = 1e-5;
-[[nodiscard]] inline bool flat_touch(const ContactLaws& laws) { return std::holds_alternative<Hertz<double>>(laws.normal); }
+[[nodiscard]] inline bool flat_touch(const ContactLaws& laws) {
+  return std::visit([](const auto& law) { return law.overlap_slope(law.touch()) == 0; }, laws.normal);
+}
 
 /// Where the limit of a slider falls to zero its direction turns ever faster, to no effect: below this share of the limit's
 /// size in the scene it is let be, which costs an impulse of the square of this.

@@ -70,7 +70,7 @@ Input at_normal_speed(Input input, double speed) {
 
 PairMotion resolve_motion(const Input& input, const ScalingLaw& law, double factor, double tolerance, double shrink) {
   // RPS, used the other way, is exact in the limit: lengths go as Ω^{−2/5}, beside a linear contact as Ω^{−1/2}.
-  const double stiffness = std::pow(shrink, input.contact.normal == NormalModel::linear ? -2.0 : -5.0 / 2);
+  const double stiffness = std::pow(shrink, input.contact.traits().constant_spring ? -2.0 : -5.0 / 2);
   MovingScene scene = moving_scene(stiffened(input, stiffness), law, factor);
   // Adhesive rolling wants one power more than the material gives it (Washino et al. 2024, Table 4).
   Rolling& rolling = scene.laws[0].laws.rolling;

@@ -54,10 +54,8 @@ std::string loops_csv(const InvarianceChapter& chapter, double speed) {
     const Bodies scaled_system = scaled_bodies(law, factor, chapter.input.colliding(), chapter.input.contact.normal);
     const ScaledContact contact(chapter.input.contact, chapter.input.colliding(), law, factor);
     const NormalPair& pair = contact.scaled().pair;
-    const bool linear = contact.kind().normal == NormalModel::linear;
-    const auto scales =
-        linear ? linear_scales(pair.spring_constant, pair.mass, speed) : hertz_scales(pair.radius, pair.young, pair.mass, speed);
-    const double length = scales.overlap * contact.scaled().overlap;
+    const auto impact = reduce(effective_kind(contact.kind(), 0), pair, speed).scales;
+    const double length = impact.overlap * contact.scaled().overlap;
     const double force = scaled_system.pair().mass * speed * speed / length;
     for (const TrajectoryPoint& p : contact.trajectory(speed, 1e-8, 150))
       csv.add({name, factor, p.overlap / length, (p.elastic_force + p.damping_force) / force});

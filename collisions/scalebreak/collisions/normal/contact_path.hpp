@@ -14,7 +14,6 @@
 #include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
 
 #include <scalebreak/base/error.hpp>
-#include <scalebreak/contact/jkr.hpp>
 
 // The path of one contact in regular variables, and the events on it. Internal to the exact engine.
 
@@ -38,12 +37,12 @@ struct RegularMotion {
   [[nodiscard]] T damping(const State& y) const { return law.damping(y[0]); }
 };
 
-/// The same for JKR with its dashpot on the overlap, in w = δ^{1/4}, in which that dashpot is smooth; x
+/// The same for a law whose dashpot is smooth in w = δ^{1/4} (see RootDamped), in w; x
 /// rides along by dx/ds = v (dδ/dw)/(dδ/dx). Only for δ ≥ 0. State (w, v, t, x).
-template <class T>
+template <class T, class Law>
 struct OverlapRootMotion {
   using State = std::array<T, 4>;
-  Jkr<T, DampingOn::overlap> law;
+  Law law;
 
   [[gnu::always_inline]] void operator()(const State& y, State& rate, T) const {
     const T slope = 4 * y[0] * y[0] * y[0];

@@ -70,17 +70,18 @@ struct Resolver {
     finish(speed, y[2], ended == End::separated ? energy : below(energy + law.energy(y[0]) - barrier), barrier);
   }
 
-  /// JKR with its dashpot on the overlap: damped in w = δ^{1/4} down to zero overlap, free below it.
-  void resolve_overlap_damped(const Jkr<T, DampingOn::overlap>& law, T speed) {
-    const contact_path::OverlapRootMotion<T> motion{law};
+  /// A dashpot on the overlap that is not smooth in the law's coordinate: damped in w = δ^{1/4} down to zero overlap, free below it.
+  template <class Law>
+  void resolve_root_damped(const Law& law, T speed) {
+    const contact_path::OverlapRootMotion<T, Law> motion{law};
     const T barrier = law.energy(law.separation());
     const auto [ended, y] = follow(motion, {T(0), speed, T(0), law.touch()}, T(0), barrier);
     const T energy = y[1] * y[1] / 2;
     if (ended != End::separated) return finish(speed, y[2], below(energy + law.energy(y[3]) - barrier), barrier);
     const T residue = energy - barrier;
-    if (law.range == AdhesionRange::touch || residue < 0) return finish(speed, y[2], residue, barrier);
-    const Jkr<T> free{law.curvature, law.adhesive_overlap, law.stiffness, law.adhesive_force, T(0), law.radius, law.range};
-    const contact_path::RegularMotion<T, Jkr<T>> free_motion{free};
+    if (law.separation() >= law.touch() || residue < 0) return finish(speed, y[2], residue, barrier);
+    const auto free = law.undamped();
+    const contact_path::RegularMotion<T, std::decay_t<decltype(free)>> free_motion{free};
     const auto [parted, z] = follow(free_motion, {law.touch(), y[1], y[2]}, law.separation(), barrier);
     finish(speed, z[2], residue, barrier);
   }
@@ -88,19 +89,25 @@ struct Resolver {
   /// A pair that turned back lacks energy, by rounding at least.
   static T below(T residue) { return std::min(residue, -std::numeric_limits<T>::min()); }
 
-  void resolve_jkr(const ContactKind& kind, T beta, T reduced_speed) {
-    // Slow impacts in the units of the adhesion, fast ones in those of the impact: all numbers stay near 1.
-    const bool fast = reduced_speed > 1;
-    const T radius = 1, mass = 1;
-    const T young = fast ? 1 : 3;
-    const T energy = fast ? surface_energy_at_unit_impact(reduced_speed) : 1 / (3 * std::numbers::pi_v<T>);
-    const T speed = fast ? 1 : reduced_speed;
-    const auto scales = jkr_scales(radius, young, energy, mass);
+  template <class Law>
+  void resolve(AdhesionRange range, T beta, T reduced_speed) {
+    NormalPairOf<T> pair = Law::reduced_pair(beta);
+    T speed = 1;
+    if constexpr (Law::traits.adhesive()) {
+      // Slow impacts in the units of the adhesion, fast ones in those of the impact: all numbers stay near 1.
+      if (reduced_speed > 1) {
+        pair = Law::pair_of_unit_impact(beta, reduced_speed);
+      } else {
+        speed = reduced_speed;
+      }
+    }
+    const auto scales = Law::scales(pair, speed);
     units = {1 / scales.coordinate, 1 / scales.overlap, 1 / scales.time, 1 / scales.force};
-    if (kind.damping_on == DampingOn::contact_radius) {
-      resolve_smooth(Jkr<T>::make(radius, young, energy, mass, beta, kind.range), speed);
+    const Law law = Law::make(pair, range);
+    if constexpr (RootDamped<Law>) {
+      resolve_root_damped(law, speed);
     } else {
-      resolve_overlap_damped(Jkr<T, DampingOn::overlap>::make(radius, young, energy, mass, beta, kind.range), speed);
+      resolve_smooth(law, speed);
     }
   }
 };
@@ -118,11 +125,8 @@ NormalOutcome<T> resolve_normal_collision(const ContactKind& kind, T damping_rat
   constexpr T finest = 4 * std::numeric_limits<T>::epsilon();
   const T slow = kind.adhesive() ? std::min(T(1), reduced_speed * reduced_speed) : T(1);
   Resolver<T> resolver{options, damping_ratio >= 1, damping_ratio == 0, std::max(finest, options.tolerance / 2 * slow)};
-  switch (kind.normal) {
-    case NormalModel::linear: resolver.resolve_smooth(reduced_linear(damping_ratio), T(1)); break;
-    case NormalModel::hertz: resolver.resolve_smooth(reduced_hertz(damping_ratio), T(1)); break;
-    case NormalModel::jkr: resolver.resolve_jkr(kind, damping_ratio, reduced_speed); break;
-  }
+  visit_form(
+      kind, [&]<template <class> class Law>(LawForm<Law>) { resolver.template resolve<Law<T>>(kind.range, damping_ratio, reduced_speed); });
   if (!resolver.outcome.stuck && damping_ratio > 0 && slow < 1e-9) {
     throw WorkError(fmt::format(
         "a contact of damping ratio {:g} parts again at a reduced speed of {:g}, so slow that rounding, not its dashpot, decides the restitution",
@@ -139,8 +143,11 @@ T reduced_sticking_speed(const ContactKind& kind, T damping_ratio, T tolerance) 
   const CollisionOptions<T> options{.tolerance = tolerance};
   const auto residue = [&](T speed) { return resolve_normal_collision(kind, damping_ratio, speed, options).energy_residue; };
   // Undamped, the barrier alone decides; damping only raises the speed that is needed.
-  const auto law = reduced_jkr<T, DampingOn::contact_radius>(T(0), kind.range);
-  const T undamped = std::sqrt(2 * law.energy(law.separation()));
+  const T barrier = visit_form(kind, [&]<template <class> class Law>(LawForm<Law>) {
+    const Law<T> law = reduced_law<Law>(T(0), kind.range);
+    return law.energy(law.separation());
+  });
+  const T undamped = std::sqrt(2 * barrier);
   if (damping_ratio == 0) return undamped;
   // A contact that ends at touch loses a fixed share of β in the slowest collisions: v_s ∝ √β, from where rounding is small.
   constexpr T least = T(1e-7);

@@ -38,8 +38,7 @@ PairCollision ScaledContact::collide(double speed, double tolerance, bool find_m
 
 double ScaledContact::end_gap(double speed) const {
   if (!kind_.adhesive()) return 0;
-  const auto law = reduced_jkr<double, DampingOn::contact_radius>(0.0, kind_.range);
-  return -law.overlap(law.separation()) * reduced(speed).scales.overlap * scaled_.overlap;
+  return reduced_end_gap(kind_) * reduced(speed).scales.overlap * scaled_.overlap;
 }
 
 double ScaledContact::tearing_energy() const {
@@ -49,20 +48,19 @@ double ScaledContact::tearing_energy() const {
 
 double ScaledContact::well_depth() const {
   if (!kind_.adhesive()) return 0;
-  const auto& pair = scaled_.pair;
-  const auto law = Jkr<double>::make(pair.radius, pair.young, pair.surface_energy, pair.mass, pair.damping_ratio, kind_.range);
-  return -law.energy(std::cbrt(law.adhesive_force / law.stiffness)) * scaled_.force * scaled_.overlap;
+  const double energy = std::visit([](const auto& law) { return law.energy(law.bottom()); }, normal_law(kind_, scaled_.pair));
+  return -energy * scaled_.force * scaled_.overlap;
 }
 
 std::vector<TrajectoryPoint> ScaledContact::trajectory(double speed, double tolerance, int points) const {
   const ReducedCollision problem = reduced(speed);
   const auto& scales = problem.scales;
+  const NormalLaw evaluated = normal_law(kind_, scaled_.pair);
   std::vector<TrajectoryPoint> path;
   CollisionOptions<double> options{.tolerance = tolerance, .max_step = 2.5 / points};
   options.observer = [&](const ContactSample<double>& sample) {
-    const double root = sample.coordinate * scales.coordinate;
-    const double radius = kind_.normal == NormalModel::linear ? 0.0 : root * root;
-    path.push_back({sample.time * scales.time * scaled_.time, sample.overlap * scales.overlap * scaled_.overlap, radius,
+    const double root = std::visit([&](const auto& law) { return law.root_radius(sample.coordinate * scales.coordinate); }, evaluated);
+    path.push_back({sample.time * scales.time * scaled_.time, sample.overlap * scales.overlap * scaled_.overlap, root * root,
                     sample.speed * scales.speed(), sample.elastic_force * scales.force * scaled_.force,
                     sample.damping_force * scales.force * scaled_.force});
   };

@@ -153,12 +153,13 @@ NormalOutcome<double> damped(const Law& law, double speed) {
   return outcome;
 }
 
-/// JKR damped on the overlap: w = δ^{1/4} and x = √a from the branch-free root, no coordinate carried along; below
+/// A dashpot that is smooth in w = δ^{1/4} (see RootDamped): w, and x = √a from the branch-free root, no coordinate carried along; below
 /// zero overlap nothing damps, so energy and quadrature finish.
+template <class Law>
 struct RootMotion {
-  Jkr<double, DampingOn::overlap> law;
+  Law law;
   static int rate(double, const double y[], double f[], void* self) {
-    const auto& law = static_cast<RootMotion*>(self)->law;
+    const Law& law = static_cast<RootMotion*>(self)->law;
     const double w = y[0], slope = 4 * w * w * w;
     f[0] = y[1];
     f[1] = -(law.force(law.coordinate(w * w * w * w)) + law.damping_of_root(w) * y[1]) * slope;
@@ -167,11 +168,12 @@ struct RootMotion {
   }
 };
 
-NormalOutcome<double> damped_on_overlap(const Jkr<double, DampingOn::overlap>& law, double speed) {
-  RootMotion motion{law};
+template <class Law>
+NormalOutcome<double> damped_on_overlap(const Law& law, double speed) {
+  RootMotion<Law> motion{law};
   std::vector<double> y{0, speed, 0}, deepest;
   const bool touched = follow(
-      {RootMotion::rate, nullptr, 3, &motion}, y, [](const auto& at) { return at[0]; }, deepest);
+      {RootMotion<Law>::rate, nullptr, 3, &motion}, y, [](const auto& at) { return at[0]; }, deepest);
   const double depth = std::pow(deepest[0], 4), barrier = law.energy(law.separation());
   NormalOutcome<double> outcome{.max_overlap = depth, .max_coordinate = law.coordinate(depth)};
   outcome.energy_residue = y[1] * y[1] / 2 - barrier + (touched ? 0.0 : law.energy(law.coordinate(std::pow(y[0], 4))));
@@ -188,15 +190,15 @@ NormalOutcome<double> damped_on_overlap(const Jkr<double, DampingOn::overlap>& l
 
 NormalOutcome<double> resolve_by_second_method(const ContactKind& kind, double beta, double reduced_speed) {
   gsl_set_error_handler_off();
-  switch (kind.normal) {
-    case NormalModel::linear: return beta == 0 ? undamped(reduced_linear(beta), 1.0) : damped(reduced_linear(beta), 1.0);
-    case NormalModel::hertz: return beta == 0 ? undamped(reduced_hertz(beta), 1.0) : damped(reduced_hertz(beta), 1.0);
-    case NormalModel::jkr: break;
-  }
-  if (beta == 0) return undamped(reduced_jkr<double, DampingOn::contact_radius>(beta, kind.range), reduced_speed);
-  if (kind.damping_on == DampingOn::overlap)
-    return damped_on_overlap(reduced_jkr<double, DampingOn::overlap>(beta, kind.range), reduced_speed);
-  return damped(reduced_jkr<double, DampingOn::contact_radius>(beta, kind.range), reduced_speed);
+  const double speed = kind.adhesive() ? reduced_speed : 1.0;
+  return visit_form(kind, [&]<template <class> class Law>(LawForm<Law>) {
+    if (beta == 0) return undamped(reduced_law<Law>(0.0, kind.range), speed);
+    if constexpr (RootDamped<Law<double>>) {
+      return damped_on_overlap(reduced_law<Law>(beta, kind.range), speed);
+    } else {
+      return damped(reduced_law<Law>(beta, kind.range), speed);
+    }
+  });
 }
 
 }  // namespace scalebreak

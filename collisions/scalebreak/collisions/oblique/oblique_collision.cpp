@@ -37,9 +37,7 @@ struct Scales {
 template <class Law>
 Scales scales_of(const Law& law, double mass, double speed) {
   // The coordinate that the energy of the impact, or the depth of the well, reaches.
-  double bottom = 0;
-  if constexpr (!std::is_same_v<Law, Linear<double>> && !std::is_same_v<Law, Hertz<double>>)
-    bottom = std::cbrt(law.adhesive_force / law.stiffness);
+  const double bottom = law.bottom();
   const double depth = bottom > 0 ? -law.energy(bottom) : 0.0, wanted = mass * speed * speed / 2;
   double x = bottom > 0 ? bottom : 1e-12;
   while (law.energy(x) < wanted) x *= 1.25;

@@ -144,7 +144,7 @@ void follow(const Row& row, const std::string& contact, const std::vector<CaseSy
     if (system.original()) of_original = gap1;
     // RPS is exact where gaps are mapped as overlaps are: the original's gap, times how much larger overlaps become.
     const bool rps = system.law->name == "rps";
-    const double stretch = std::pow(system.factor, row.input.contact.normal == NormalModel::linear ? -0.5 : -0.4);
+    const double stretch = std::pow(system.factor, row.input.contact.traits().constant_spring ? -0.5 : -0.4);
     const auto predicted = rps && of_original ? std::optional(*of_original * stretch) : std::nullopt;
     const double reduced = row.input.colliding().pair().radius;
     result.curves.push_back({contact + ": " + system.name(),

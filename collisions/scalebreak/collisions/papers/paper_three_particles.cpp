@@ -31,9 +31,8 @@ Characteristic characteristic(const Input& input, const MovingScene& scene, cons
   const MovingBody& body = scene.bodies[middle];
   const Material material = scaled_material(*system.law, system.factor, input.material_of(input.bodies[middle]), input.contact.normal);
   const double speed = body.velocity.norm();
-  const double rate = input.contact.normal == NormalModel::linear
-                          ? std::sqrt(material.spring_constant / body.mass)
-                          : std::pow(material.young * std::sqrt(body.radius * speed) / body.mass, 0.4);
+  const double rate = input.contact.traits().constant_spring ? std::sqrt(material.spring_constant / body.mass)
+                                                             : std::pow(material.young * std::sqrt(body.radius * speed) / body.mass, 0.4);
   return {speed, body.spin.norm(), 1 / rate};
 }
 

@@ -49,9 +49,12 @@ ObliqueKeyOrReason oblique_key(const ContactKind& kind, const SurfaceKind& surfa
                                double inertia, double share, double tolerance) {
   if (surface.tangential == TangentialModel::none) return {{}, "nothing acts tangentially"};
   const bool linear = surface.tangential == TangentialModel::linear;
-  if (linear && kind.normal == NormalModel::hertz)
-    return {{}, "a linear tangential spring beside a Hertz contact is another one at every speed"};
-  if (!linear && kind.normal == NormalModel::linear) return {{}, "Mindlin's spring beside a linear contact is another one at every speed"};
+  // An adhesive contact has units of its own, whatever the speed.
+  if (!kind.adhesive() && linear != kind.traits().constant_spring) {
+    return {{},
+            fmt::format("{} beside contact.normal = \"{}\" is another one at every speed",
+                        linear ? "a linear tangential spring" : "Mindlin's spring", to_string(kind.normal))};
+  }
   if (surface.attraction != Attraction::none) return {{}, "a liquid acts"};
   ObliqueKey key{
       .kind = kind,
@@ -75,7 +78,7 @@ ObliqueKeyOrReason oblique_key(const Input& input, double tolerance) {
 }
 
 ObliquePair reduced_oblique_pair(const ObliqueKey& key, double depth) {
-  const NormalPair normal = reduced_normal_pair(key.kind, key.damping_ratio);
+  const NormalPair normal = reduced_pair(key.kind, key.damping_ratio);
   SurfacePair surfaces{};
   surfaces.shear = key.stiffness * normal.young;
   surfaces.spring_constant_tangential = key.stiffness;

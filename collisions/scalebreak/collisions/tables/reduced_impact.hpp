@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include <scalebreak/base/error.hpp>
 #include <scalebreak/collisions/normal/normal_collision.hpp>
@@ -13,20 +12,10 @@
 
 namespace scalebreak {
 
-/// A pair with reduced numbers, R* = m* = 1 (see contact/reduced.hpp).
-[[nodiscard]] inline NormalPair reduced_normal_pair(const ContactKind& kind, double damping_ratio) {
-  return {.mass = 1,
-          .radius = 1,
-          .young = kind.adhesive() ? 3.0 : 1.0,
-          .surface_energy = kind.adhesive() ? 1 / (3 * std::numbers::pi) : 0.0,
-          .spring_constant = 1,
-          .damping_ratio = damping_ratio};
-}
-
 /// k_t over what it is reduced by: the linear contact's k, or F_po/δ₀ of adhesion.
 [[nodiscard]] inline double reduced_spring(const ContactKind& kind, const NormalPair& pair, double spring_constant) {
   if (!kind.adhesive()) return spring_constant / pair.spring_constant;
-  const auto scales = jkr_scales(pair.radius, pair.young, pair.surface_energy, pair.mass);
+  const auto scales = reduce(kind, pair, 1.0).scales;
   return spring_constant * scales.overlap / scales.force;
 }
 

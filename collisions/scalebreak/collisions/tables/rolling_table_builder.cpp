@@ -18,7 +18,7 @@ constexpr double narrowest_jump = 1.0 / 1024;
 
 /// The pair of a key in reduced units: two equal bodies between which nothing slides, and whose normal never turns.
 ObliquePair reduced_rolling_pair(const RollingKey& key) {
-  const NormalPair normal = reduced_normal_pair(key.kind, key.damping_ratio);
+  const NormalPair normal = reduced_pair(key.kind, key.damping_ratio);
   SurfacePair surfaces{};
   surfaces.shear = key.stiffness * normal.young;
   surfaces.spring_constant_tangential = key.stiffness;
@@ -57,12 +57,12 @@ RollingKeyOrReason rolling_key(const ContactKind& kind, const SurfaceKind& surfa
   switch (surface.rolling) {
     case RollingModel::epsd: key.dashpot = surfaces.rolling_damping * std::sqrt(surfaces.rolling_inertia / lever); break;
     case RollingModel::epsd2:
-      key.stiffness = kind.normal == NormalModel::linear ? reduced_spring(kind, pair, surfaces.spring_constant_tangential)
-                                                         : surfaces.shear / pair.young;
+      key.stiffness =
+          kind.traits().constant_spring ? reduced_spring(kind, pair, surfaces.spring_constant_tangential) : surfaces.shear / pair.young;
       break;
     case RollingModel::ar: {
       if (!kind.adhesive()) return {{}, "adhesive rolling beside a contact without adhesion is another one at every speed"};
-      const double slope = jkr_scales(pair.radius, pair.young, pair.surface_energy, pair.mass).overlap / pair.radius;
+      const double slope = reduce(kind, pair, 1.0).scales.overlap / pair.radius;
       key.limit = surfaces.rolling_angle_max / slope;
       key.stiffness = adhesive_rolling * slope;
       break;

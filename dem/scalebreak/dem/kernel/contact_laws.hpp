@@ -6,10 +6,6 @@ struct Form {
   using Packed = Law<Pack>;
   using Source = Law<double>;
 };
-template <class T>
-using JkrOnRadius = Jkr<T, DampingOn::contact_radius>;
-template <class T>
-using JkrOnOverlap = Jkr<T, DampingOn::overlap>;
 
 /// Which laws act, of all rows alike.
 struct Acting {
@@ -76,8 +72,7 @@ struct Exerted {
 template <class LawForm>
 [[gnu::always_inline]] inline void press(const ForceTask& task, const typename LawForm::Packed& law, ContactLanes& at) {
   using std::sqrt;
-  using Source = typename LawForm::Source;
-  constexpr bool adhesive = std::is_same_v<Source, JkrOnRadius<double>> || std::is_same_v<Source, JkrOnOverlap<double>>;
+  constexpr bool adhesive = LawForm::Source::traits.adhesive();
   const Pack distance = sqrt(at.square);
   at.inverse = 1.0 / distance;
   at.overlap = task.length * (at.touch - distance);
@@ -89,14 +84,12 @@ template <class LawForm, Turns turns, bool wall>
 [[gnu::always_inline]] inline Exerted exert(const ForceTask& task, const Acting& acting, const PackedLaws<LawForm, turns>& laws,
                                             const ContactLanes& at, const Motion& motion) {
   using std::sqrt;
-  using Source = typename LawForm::Source;
-  constexpr bool hertz = std::is_same_v<Source, Hertz<double>>;
   const Pack time(task.history_step * task.length), after(task.history_after * task.length);
   const Vectors normal = at.inverse * at.between;
   const Pack approach = normal.dot(motion.velocity), depth = at.overlap, x = at.coordinate;
   Pack along = laws.normal.force(x) + laws.normal.damping(x) * approach;
   ContactPointOf<Pack> point{.overlap = depth, .root = laws.normal.root_radius(x), .load = abs(laws.normal.load(x, along))};
-  if (hertz) {
+  if constexpr (LawForm::Source::traits.coordinate == Coordinate::overlap_root) {
     point.overlap_root = x;
   } else if (acting.root) {
     point.overlap_root = sqrt(sqrt(laws.radius * positive_part(depth)));

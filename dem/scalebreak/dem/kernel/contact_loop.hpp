@@ -180,14 +180,15 @@ struct ContactLoop {
   }
 };
 
+template <Turns turns, bool wall, template <class> class... Laws>
+inline void exert_all(ForceTask& task, LawList<Laws...>) {
+  const std::size_t chosen = task.rows[0].normal.index();
+  std::size_t law = 0;
+  ((law++ == chosen && (ContactLoop<Form<Laws>, turns, wall>{task}.run(), true)) || ...);
+}
 template <Turns turns, bool wall>
 inline void exert_all(ForceTask& task) {
-  switch (task.rows[0].normal.index()) {
-    case 0: return ContactLoop<Form<Linear>, turns, wall>{task}.run();
-    case 1: return ContactLoop<Form<Hertz>, turns, wall>{task}.run();
-    case 2: return ContactLoop<Form<JkrOnRadius>, turns, wall>{task}.run();
-    default: return ContactLoop<Form<JkrOnOverlap>, turns, wall>{task}.run();
-  }
+  exert_all<turns, wall>(task, NormalLaws{});
 }
 
 inline void find_contacts(ForceTask& task) { task.wall ? meet_wall(task) : meet_spheres(task); }
