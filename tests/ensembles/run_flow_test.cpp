@@ -48,8 +48,8 @@ TEST_F(RunFlow, CheckpointsChangeNothing) {
 TEST_F(RunFlow, SaysWhatIsKeptWhenItIsInterrupted) {
   const std::string out = folder / "out";
   EXPECT_THAT(message_of<RunInterrupted>([&] { (void)run_flow(input, {.out = out, .stop = stop_after(0)}); }),
-              "the run was interrupted at 0 s of 0.01 s; its checkpoint is " + out + "/checkpoint.bin, and scalebreak run --resume --out " + out +
-                  " goes on from there");
+              "the run was interrupted at 0 s of 0.01 s; its checkpoint is " + out + "/checkpoint.bin, and scalebreak run --resume --out " +
+                  out + " goes on from there");
   EXPECT_EQ(message_of<RunInterrupted>([&] { (void)run_flow(input, {.stop = stop_after(0)}); }),
             "the run was interrupted at 0 s of 0.01 s and nothing is kept, as there is no --out");
 }
@@ -81,7 +81,8 @@ TEST_F(RunFlow, AFileThatLostItsEndIsNotGoneOnWith) {
   const auto length = std::filesystem::file_size(out + "/series.csv");
   std::filesystem::resize_file(out + "/series.csv", 10);
   EXPECT_EQ(message_of<WorkError>([&] { (void)run_flow(input, {.out = out, .resume = true}); }),
-            out + "/series.csv is 10 bytes long, and had " + std::to_string(length) + " bytes at the checkpoint, so the run cannot go on with it");
+            out + "/series.csv is 10 bytes long, and had " + std::to_string(length) +
+                " bytes at the checkpoint, so the run cannot go on with it");
 }
 
 TEST_F(RunFlow, AnUnstableRunSaysWhichCheckpointIsLeft) {
@@ -89,11 +90,17 @@ TEST_F(RunFlow, AnUnstableRunSaysWhichCheckpointIsLeft) {
   EXPECT_THAT(message_of<WorkError>([&] { (void)run_flow(input, {}); }), testing::EndsWith("; there is no checkpoint yet"));
 }
 
-TEST_F(RunFlow, ParticleFilesHoldAllFields) {
-  input.output.fields = {ParticleField::radius, ParticleField::velocity};
-  EXPECT_EQ(message_of<InputError>([&] { (void)run_flow(input, {}); }),
-            "output.fields: found a list without material, and particle files always hold all of them; allowed: all four, or output.formats = "
-            "[]");
+TEST_F(RunFlow, ParticleFilesHoldTheFieldsThatAreAskedFor) {
+  input.output.fields = {ParticleField::velocity, ParticleField::radius};
+  input.output.formats = {ParticleFormat::csv, ParticleFormat::vtp, ParticleFormat::xyz, ParticleFormat::dump};
+  (void)run_into("few", input);
+  const auto file = [&](const char* name) { return content_of(folder / "few" / name); };
+  EXPECT_THAT(file("particles_000000.csv"),
+              testing::StartsWith("x [m],y [m],z [m],radius [m],velocity_x [m/s],velocity_y [m/s],velocity_z [m/s]\n"));
+  EXPECT_THAT(file("particles.xyz"), testing::HasSubstr("Properties=pos:R:3:radius:R:1:velo:R:3:id:I:1\n"));
+  EXPECT_THAT(file("particles.dump"), testing::HasSubstr("ITEM: ATOMS id x y z diameter vx vy vz\n"));
+  EXPECT_THAT(file("particles_000000.vtp"),
+              testing::AllOf(testing::HasSubstr("\"velocity\""), testing::Not(testing::HasSubstr("\"spin\""))));
 }
 
 TEST_F(RunFlow, ReplicasDifferAndTheirMeanHasAnErrorFromThat) {

@@ -119,8 +119,9 @@ TEST(CheckOutput, KnowsItsFormatsAndFields) {
   const std::string shear = cell("shear");
   EXPECT_EQ(sentence_for(shear + "[output]\nformats = [\"csv\", \"hdf5\"]\n"),
             "scene.toml, line 4: output.formats: found [\"csv\", \"hdf5\"]; allowed: an array of \"csv\", \"vtp\", \"xyz\", \"dump\"");
-  EXPECT_EQ(sentence_for(shear + "[output]\nfields = [\"colour\"]\n"),
-            "scene.toml, line 4: output.fields: found [\"colour\"]; allowed: an array of \"radius\", \"material\", \"velocity\", \"spin\"");
+  EXPECT_EQ(
+      sentence_for(shear + "[output]\nfields = [\"colour\"]\n"),
+      "scene.toml, line 4: output.fields: found [\"colour\"]; allowed: an array of \"radius\", \"material\", \"velocity\", \"spin\", \"mass\"");
   EXPECT_TRUE(resolved(shear + "[output]\nformats = []\n").output.formats.empty());
   EXPECT_THAT(resolved(shear + "[output]\nformats = [\"dump\", \"csv\"]\n").output.formats,
               testing::ElementsAre(ParticleFormat::dump, ParticleFormat::csv));

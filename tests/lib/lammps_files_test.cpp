@@ -70,10 +70,11 @@ TEST(LammpsDump, HasTheBoxAndAllNumbers) {
   system.velocity[0] = {1, 2, 3};
   system.spin[0] = {4, 5, 6};
   system.radius[0] = 0.25;
+  system.mass[0] = 0.125;
   const std::string start = "ITEM: TIME\n0.5\nITEM: TIMESTEP\n70\nITEM: NUMBER OF ATOMS\n1\n";
   const std::string end =
-      "ITEM: ATOMS id type diameter x y z vx vy vz omegax omegay omegaz\n"
-      "1 1 0.5 0.10000000000000001 0.20000000000000001 0.29999999999999999 1 2 3 4 5 6\n";
+      "ITEM: ATOMS id x y z diameter vx vy vz omegax omegay omegaz mass type\n"
+      "1 0.10000000000000001 0.20000000000000001 0.29999999999999999 0.5 1 2 3 4 5 6 0.125 1\n";
   EXPECT_EQ(lammps_dump(system, 70), start + "ITEM: BOX BOUNDS pp ff pp\n0 2\n0 3\n0 4\n" + end);
   system.cell.shear_offset = 0.5;
   EXPECT_EQ(lammps_dump(system, 70), start + "ITEM: BOX BOUNDS xy xz yz pp ff pp\n0 2.5 0\n0 3 0.5\n0 4 0\n" + end);

@@ -4,11 +4,17 @@
 #include <iterator>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <scalebreak/particle_files/lammps_box.hpp>
+#include <scalebreak/particle_files/particle_columns.hpp>
 
 namespace scalebreak {
 namespace {
+
+/// LAMMPS' names of the columns.
+constexpr std::array<const char*, particle_columns> attributes = {"x",  "y",      "z",      "diameter", "vx",   "vy",
+                                                                  "vz", "omegax", "omegay", "omegaz",   "mass", "type"};
 
 const char* boundary_of(const Cell& cell, int axis) { return cell.periodic(axis) ? "pp" : "ff"; }
 
@@ -24,14 +30,19 @@ std::string box_of(const Cell& cell) {
 
 }  // namespace
 
-std::string lammps_dump(const System& system, std::uint64_t step) {
-  std::string text = fmt::format("ITEM: TIME\n{:.17g}\nITEM: TIMESTEP\n{}\nITEM: NUMBER OF ATOMS\n{}\n{}", system.time, step,
+std::string lammps_dump(const System& system, std::uint64_t step, const ParticleFields& fields) {
+  const std::vector<column::Name> columns = columns_of(fields);
+  std::string text = fmt::format("ITEM: TIME\n{:.17g}\nITEM: TIMESTEP\n{}\nITEM: NUMBER OF ATOMS\n{}\n{}ITEM: ATOMS id", system.time, step,
                                  system.count(), box_of(system.cell));
-  text += "ITEM: ATOMS id type diameter x y z vx vy vz omegax omegay omegaz\n";
+  for (const column::Name name : columns) text += std::string(" ") + attributes[name];
+  text += '\n';
   for (std::size_t i = 0; i < system.count(); ++i) {
-    const Eigen::Vector3d &at = system.position[i], &v = system.velocity[i], &w = system.spin[i];
-    fmt::format_to(std::back_inserter(text), "{} {} {:.17g} {:.17g} {:.17g} {:.17g} {:.17g} {:.17g} {:.17g} {:.17g} {:.17g} {:.17g}\n",
-                   i + 1, system.material[i] + 1, 2 * system.radius[i], at.x(), at.y(), at.z(), v.x(), v.y(), v.z(), w.x(), w.y(), w.z());
+    std::vector<double> row = particle_row(system, i, columns);
+    for (std::size_t k = 0; k < row.size(); ++k) {
+      if (columns[k] == column::radius) row[k] *= 2;
+      if (columns[k] == column::material) row[k] += 1;
+    }
+    fmt::format_to(std::back_inserter(text), "{} {:.17g}\n", i + 1, fmt::join(row, " "));
   }
   return text;
 }

@@ -36,11 +36,34 @@ void check_value(column::Name what, double value, std::string_view word, const s
 
 }  // namespace
 
-std::array<double, particle_columns> particle_row(const System& system, std::size_t i) {
+std::vector<column::Name> columns_of(const ParticleFields& fields) {
+  std::array<bool, particle_columns> held{};
+  const auto hold = [&](column::Name first, std::size_t count) { std::fill_n(held.begin() + first, count, true); };
+  hold(x, 3);
+  for (const ParticleField field : fields) {
+    switch (field) {
+      case ParticleField::radius: hold(radius, 1); break;
+      case ParticleField::material: hold(material, 1); break;
+      case ParticleField::velocity: hold(vx, 3); break;
+      case ParticleField::spin: hold(wx, 3); break;
+      case ParticleField::mass: hold(mass, 1); break;
+    }
+  }
+  std::vector<column::Name> columns;
+  for (std::size_t k = 0; k < particle_columns; ++k) {
+    if (held[k]) columns.push_back(static_cast<column::Name>(k));
+  }
+  return columns;
+}
+
+std::vector<double> particle_row(const System& system, std::size_t i, const std::vector<column::Name>& columns) {
   const Eigen::Vector3d &p = system.position[i], &v = system.velocity[i], &w = system.spin[i];
-  return {p.x(), p.y(), p.z(),          system.radius[i],
-          v.x(), v.y(), v.z(),          w.x(),
-          w.y(), w.z(), system.mass[i], static_cast<double>(system.material[i])};
+  const std::array<double, particle_columns> all = {p.x(), p.y(), p.z(),          system.radius[i],
+                                                    v.x(), v.y(), v.z(),          w.x(),
+                                                    w.y(), w.z(), system.mass[i], static_cast<double>(system.material[i])};
+  std::vector<double> row;
+  for (const column::Name name : columns) row.push_back(all[name]);
+  return row;
 }
 
 std::string place_in_file(const std::string& file, std::size_t line) { return fmt::format("{}, line {}", file, line); }

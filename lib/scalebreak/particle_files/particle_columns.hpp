@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include <scalebreak/scene/flow_input.hpp>
 #include <scalebreak/scene/system.hpp>
 
 namespace scalebreak {
@@ -17,8 +18,11 @@ enum Name : std::size_t { x, y, z, radius, vx, vy, vz, wx, wy, wz, mass, materia
 }
 inline constexpr std::size_t particle_columns = 12;
 
-/// The numbers of a sphere in that order, in SI.
-[[nodiscard]] std::array<double, particle_columns> particle_row(const System& system, std::size_t i);
+/// Those of a position and of the fields, in that order.
+[[nodiscard]] std::vector<column::Name> columns_of(const ParticleFields& fields);
+
+/// These numbers of a sphere, in SI.
+[[nodiscard]] std::vector<double> particle_row(const System& system, std::size_t i, const std::vector<column::Name>& columns);
 
 /// Where something stands in a file: "start.csv, line 3".
 [[nodiscard]] std::string place_in_file(const std::string& file, std::size_t line);

@@ -45,10 +45,13 @@ ParticleRows::Column column_of(std::string_view header, const std::string& where
 
 }  // namespace
 
-std::string particles_csv(const System& system) {
-  Csv csv({headers.begin(), headers.end()});
+std::string particles_csv(const System& system, const ParticleFields& fields) {
+  const std::vector<column::Name> columns = columns_of(fields);
+  std::vector<std::string> names;
+  for (const column::Name name : columns) names.push_back(headers[name]);
+  Csv csv(names);
   for (std::size_t i = 0; i < system.count(); ++i) {
-    const auto row = particle_row(system, i);
+    const auto row = particle_row(system, i, columns);
     csv.add({row.begin(), row.end()});
   }
   return csv.text();

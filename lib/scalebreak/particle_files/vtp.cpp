@@ -1,5 +1,6 @@
 #include <scalebreak/particle_files/vtp.hpp>
 
+#include <algorithm>
 #include <bit>
 #include <cstring>
 #include <iterator>
@@ -60,13 +61,21 @@ std::string cells(const std::string& name, std::size_t count, std::int64_t point
 
 }  // namespace
 
-std::string spheres_vtp(const System& system) {
+std::string spheres_vtp(const System& system, const ParticleFields& fields) {
   const std::size_t count = system.count();
-  return poly_data(
-      system.time, count, count, 0,
-      section("PointData", array("velocity", system.velocity) + array("spin", system.spin) + array("radius", system.radius) +
-                               array("mass", system.mass) + array("material", system.material) + array("id", counted(count, 1, 1))) +
-          section("Points", array("position", system.position)) + cells("Verts", count, 1));
+  std::string point_data;
+  const auto add = [&](ParticleField field, const auto& values) {
+    if (std::find(fields.begin(), fields.end(), field) != fields.end())
+      point_data += array(particle_field_words[static_cast<std::size_t>(field)], values);
+  };
+  add(ParticleField::velocity, system.velocity);
+  add(ParticleField::spin, system.spin);
+  add(ParticleField::radius, system.radius);
+  add(ParticleField::mass, system.mass);
+  add(ParticleField::material, system.material);
+  return poly_data(system.time, count, count, 0,
+                   section("PointData", point_data + array("id", counted(count, 1, 1))) +
+                       section("Points", array("position", system.position)) + cells("Verts", count, 1));
 }
 
 std::string contacts_vtp(const System& system, std::span<const ContactForce> contacts) {

@@ -6,13 +6,14 @@
 #include <vector>
 
 #include <scalebreak/measure/contact_force.hpp>
+#include <scalebreak/scene/flow_input.hpp>
 #include <scalebreak/scene/system.hpp>
 
 namespace scalebreak {
 
-/// Spheres as VTK's XML PolyData, for ParaView: centres as points (show them as spheres by `radius`), with velocity, spin, radius,
-/// mass, material and id (from 1) as point data, in SI; numbers inline as base64.
-[[nodiscard]] std::string spheres_vtp(const System& system);
+/// Spheres as VTK's XML PolyData, for ParaView: centres as points (show them as spheres by `radius`), with id (from 1) and of velocity,
+/// spin, radius, mass and material those that are among the fields as point data, in SI; numbers inline as base64.
+[[nodiscard]] std::string spheres_vtp(const System& system, const ParticleFields& fields = all_particle_fields);
 
 /// Contacts as VTK's XML PolyData: a line each, from the first centre along the branch, with the force on the first [N], its
 /// magnitude, and whether they touch, as cell data.

@@ -35,8 +35,11 @@ enum class ParticleFormat { csv, vtp, xyz, dump };
 inline constexpr const char* particle_format_words[] = {"csv", "vtp", "xyz", "dump"};
 
 /// What particle files hold beside identity and position.
-enum class ParticleField { radius, material, velocity, spin };
-inline constexpr const char* particle_field_words[] = {"radius", "material", "velocity", "spin"};
+enum class ParticleField { radius, material, velocity, spin, mass };
+inline constexpr const char* particle_field_words[] = {"radius", "material", "velocity", "spin", "mass"};
+using ParticleFields = std::vector<ParticleField>;
+inline const ParticleFields all_particle_fields = {ParticleField::radius, ParticleField::material, ParticleField::velocity,
+                                                   ParticleField::spin, ParticleField::mass};
 
 /// The spheres of a flow, SI. The defaults are glass spheres of Washino et al. 2024, section 5.1, all of the mean size.
 struct Particles {
@@ -85,7 +88,7 @@ struct RunInput {
 /// What a flow writes.
 struct OutputInput {
   double interval = 0;  ///< between rows of the series and particle files [s]; 0: about 200 over the run
-  std::vector<ParticleField> fields = {ParticleField::radius, ParticleField::material, ParticleField::velocity, ParticleField::spin};
+  ParticleFields fields = all_particle_fields;
   std::vector<ParticleFormat> formats = {ParticleFormat::vtp, ParticleFormat::xyz};
   double checkpoint_interval = 60;  ///< of wall time [s]; 0: none
 

@@ -74,11 +74,13 @@ void RunFiles::add(const FlowInstant& instant) {
 void RunFiles::add_frame(const FlowInstant& instant, ParticleFormat format) {
   const System& system = instant.system;
   switch (format) {
-    case ParticleFormat::csv: write_file(folder_ / frame_name(frames_.size(), "csv"), particles_csv(system)); break;
-    case ParticleFormat::xyz: append(extended_xyz_file, extended_xyz(system)); break;
-    case ParticleFormat::dump: append(dump_file, lammps_dump(system, static_cast<std::uint64_t>(instant.totals.steps))); break;
+    case ParticleFormat::csv: write_file(folder_ / frame_name(frames_.size(), "csv"), particles_csv(system, output_.fields)); break;
+    case ParticleFormat::xyz: append(extended_xyz_file, extended_xyz(system, output_.fields)); break;
+    case ParticleFormat::dump:
+      append(dump_file, lammps_dump(system, static_cast<std::uint64_t>(instant.totals.steps), output_.fields));
+      break;
     case ParticleFormat::vtp: {
-      write_file(folder_ / frame_name(frames_.size(), "vtp"), spheres_vtp(system));
+      write_file(folder_ / frame_name(frames_.size(), "vtp"), spheres_vtp(system, output_.fields));
       std::vector<std::pair<double, std::string>> list;
       for (const double time : frames_) list.emplace_back(time, frame_name(list.size(), "vtp"));
       list.emplace_back(system.time, frame_name(list.size(), "vtp"));

@@ -1,6 +1,5 @@
 #include <scalebreak/ensembles/run/run_flow.hpp>
 
-#include <algorithm>
 #include <chrono>
 #include <optional>
 
@@ -47,16 +46,6 @@ void refuse_to_overwrite(const std::filesystem::path& out) {
   if (std::filesystem::exists(checkpoint_path(out)))
     throw InputError(fmt::format(
         "--out: {} holds the checkpoint of an unfinished run; allowed: --resume to go on with it, or another folder", out.string()));
-}
-
-void refuse_fewer_fields(const OutputInput& output) {
-  for (const ParticleField field : OutputInput{}.fields) {
-    if (!output.formats.empty() && std::find(output.fields.begin(), output.fields.end(), field) == output.fields.end())
-      throw InputError(
-          fmt::format("output.fields: found a list without {}, and particle files always hold all of them; allowed: all four, or "
-                      "output.formats = []",
-                      particle_field_words[static_cast<std::size_t>(field)]));
-  }
 }
 
 /// All replicas of a run, one after the other.
@@ -212,9 +201,6 @@ void begin_run_folder(const std::filesystem::path& out, const std::string& input
   write_file(out / "input.toml", input_file);
 }
 
-RunOutcome run_flow(const Input& input, const RunOptions& options) {
-  refuse_fewer_fields(input.output);
-  return Runner(input, options).run();
-}
+RunOutcome run_flow(const Input& input, const RunOptions& options) { return Runner(input, options).run(); }
 
 }  // namespace scalebreak
