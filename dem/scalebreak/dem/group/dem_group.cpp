@@ -198,35 +198,35 @@ ForceTask DemGroup::task(Pairs& pairs, const WallView* wall) {
           .own_end = count()};
 }
 
-void DemGroup::find_contacts() {
-  each_list([&](Pairs& pairs, const WallView* wall) {
-    if (pairs.near_count == 0) return;
-    ForceTask finding = task(pairs, wall);
-    Keeper keeper(*this, pairs, wall != nullptr);
-    finding.keeper = &keeper;
-    laws_->kernel_->find_contacts(finding);
-    totals_.contact_starts += finding.tally.starts;
-  });
+/// One list at work, through all steps of a stretch.
+struct DemGroup::Work {
+  Pairs& pairs;
+  Keeper keeper;
+  ForceTask task;
+};
+
+void DemGroup::find_contacts(Work& work) {
+  if (work.pairs.near_count == 0) return;
+  work.task.tally.starts = 0;
+  laws_->kernel_->find_contacts(work.task);
+  totals_.contact_starts += work.task.tally.starts;
 }
 
-void DemGroup::add_forces(double before, double after, double step) {
-  each_list([&](Pairs& pairs, const WallView* wall) {
-    if (pairs.contacts.count == 0) return;
-    ForceTask forces = task(pairs, wall);
-    Keeper keeper(*this, pairs, wall != nullptr);
-    forces.keeper = &keeper;
-    forces.history_step = before, forces.history_after = after;
-    laws_->kernel_->forces(forces);
-    totals_.contact_starts += forces.tally.starts;
-    totals_.contact_time += forces.tally.touches * step;
-    totals_.wall_work += forces.tally.wall_power * step;
-    for (int a = 0; a < 3; ++a) {
-      for (int b = 0; b < 3; ++b) totals_.contact_moment(a, b) += forces.tally.moment[3 * a + b] * step;
-    }
-  });
+void DemGroup::add_forces(Work& work, double before, double after, double step) {
+  if (work.pairs.contacts.count == 0) return;
+  work.task.tally = {};
+  work.task.history_step = before, work.task.history_after = after;
+  laws_->kernel_->forces(work.task);
+  const Tally& tally = work.task.tally;
+  totals_.contact_starts += tally.starts;
+  totals_.contact_time += tally.touches * step;
+  totals_.wall_work += tally.wall_power * step;
+  for (int a = 0; a < 3; ++a) {
+    for (int b = 0; b < 3; ++b) totals_.contact_moment(a, b) += tally.moment[3 * a + b] * step;
+  }
 }
 
-void DemGroup::move(double step) {
+MoveTask DemGroup::move_task(double step) {
   const Eigen::Vector3d& gravity = laws_->gravity();
   MoveTask moving{.spheres = spheres_.view(), .estimate = spheres_.seen_velocity.data(), .step = step};
   if (laws_->turns()) {
@@ -237,7 +237,7 @@ void DemGroup::move(double step) {
   moving.pushed = everyone_.data(), moving.pushed_count = count();
   moving.end = count();
   moving.gravity = quad(gravity, 0);
-  laws_->kernel_->move(moving);
+  return moving;
 }
 
 void DemGroup::kick(double time) {
@@ -257,16 +257,24 @@ void DemGroup::advance_to(double time, double margin) {
   find_near(margin);
   // The forces of now, from which histories go on and velocities are set half a step back.
   spheres_.seen_velocity = spheres_.velocity, spheres_.seen_spin = spheres_.spin;
-  find_contacts();
-  add_forces(0, step / 2, step / 2);
+  std::vector<Work> works;
+  works.reserve(1 + walls_.size());
+  each_list([&](Pairs& pairs, const WallView* wall) {
+    if (pairs.count() > 0) works.push_back({pairs, Keeper(*this, pairs, wall != nullptr), task(pairs, wall)});
+  });
+  const auto forces = [&](double before, double after, double share) {
+    for (Work& work : works) find_contacts(work);
+    for (Work& work : works) add_forces(work, before, after, share);
+  };
+  for (Work& work : works) work.task.keeper = &work.keeper;
+  forces(0, step / 2, step / 2);
   kick(-step / 2);
+  MoveTask moving = move_task(step);
   const double start = time_;
   for (double k = 1; k <= steps; ++k) {
-    move(step);
+    laws_->kernel_->move(moving);
     time_ = k < steps ? start + k * step : time;
-    find_contacts();
-    // The sums by the trapezoidal rule.
-    add_forces(step / 2, k < steps ? step / 2 : 0, k < steps ? step : step / 2);
+    forces(step / 2, k < steps ? step / 2 : 0, k < steps ? step : step / 2);  // sums by the trapezoidal rule
   }
   kick(step / 2);
   for (std::uint32_t k = 0; k < count(); ++k) spheres_.force[k] = spheres_.torque[k] = {};

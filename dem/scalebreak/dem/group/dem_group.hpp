@@ -69,9 +69,10 @@ class DemGroup {
   class Keeper;
 
   void find_near(double margin);
-  void find_contacts();
-  void add_forces(double before, double after, double step);
-  void move(double step);
+  struct Work;
+  void find_contacts(Work& work);
+  void add_forces(Work& work, double before, double after, double step);
+  [[nodiscard]] dem::MoveTask move_task(double step);
   void kick(double time);
   [[nodiscard]] dem::ForceTask task(dem::Pairs& pairs, const dem::WallView* wall);
   template <class Visit>
