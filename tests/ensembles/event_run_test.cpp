@@ -41,6 +41,43 @@ TEST_F(EventRun, GivesTheSameNumbersAndFilesWhereverItIsInterrupted) {
   }
 }
 
+TEST_F(EventRun, ByTheHybridGivesTheSameNumbersAndFilesWhereverItIsInterrupted) {
+  input = resolved(small_shear, {"contact.normal=hertz"});  // so soft that patches are all over it, and with friction
+  const auto by_hybrid = [&](const std::string& name) {
+    RunOptions of = options(name);
+    of.engine = "hybrid";
+    return of;
+  };
+  const RunOutcome whole = run_flow(input, by_hybrid("whole"));
+  EXPECT_GT(whole.replicas.front().patches.value().begun, 50);
+  const auto expected = files_of(folder / "whole");
+  for (const int samples : {0, 3, 7}) {
+    const std::string name = "stopped_" + std::to_string(samples);
+    RunOptions first = by_hybrid(name), second = by_hybrid(name);
+    first.stop = stop_after(samples);
+    second.resume = true;
+    EXPECT_THROW((void)run_flow(input, first), RunInterrupted);
+    const RunOutcome resumed = run_flow(input, second);
+    remove_checkpoint(folder / name);
+    EXPECT_EQ(flow_json(resumed.measured), flow_json(whole.measured)) << samples;
+    const auto files = files_of(folder / name);
+    for (const auto& [file, content] : expected) EXPECT_TRUE(files.at(file) == content) << file << " after " << samples;
+  }
+  const nlohmann::json j = run_json(input, whole);
+  EXPECT_EQ(j["engine"], "hybrid");
+  EXPECT_GT(j["patch_fraction"], 0.1);
+  EXPECT_LE(j["patch_fraction"], 1);
+}
+
+TEST_F(EventRun, ThatJamsIsHandedOverToSoftSpheres) {
+  input = resolved(small_shear, {"contact.normal=hertz", "material.young=1e5", "particles.volume_fraction=0.58"});
+  RunOptions of = options("jammed");
+  of.engine = "hybrid";
+  const RunRecord run = run_flow(input, of).replicas.front();
+  EXPECT_GE(run.handovers, 1);
+  EXPECT_GT(run.steps, 100);
+}
+
 TEST_F(EventRun, SaysWhatItDid) {
   const RunOutcome outcome = run_flow(input, options("out"));
   const nlohmann::json j = run_json(input, outcome);

@@ -161,7 +161,9 @@ void EventSpheres<Queue, Rule>::collide_with_wall(std::uint32_t i, std::uint32_t
   if constexpr (Rule::lasts) {
     if (groups_) {
       if (parting.unresolved) return crowd(i, partner);
-      if (disturbed(i, partner.sphere(), parting)) {
+      constexpr double weighs = 0.02;  // what its weight does while they touch, over what the wall does
+      const bool rests = parting.contact_time * flight_.gravity.norm() > weighs * std::abs(meeting.velocity().dot(meeting.normal));
+      if (rests || disturbed(i, partner.sphere(), parting)) {
         (void)rule_.take_back(meeting);
         return crowd(i, partner);
       }
@@ -170,8 +172,10 @@ void EventSpheres<Queue, Rule>::collide_with_wall(std::uint32_t i, std::uint32_t
   }
   account(meeting, parting, 1);
   FlyingSphere& sphere = flight_.sphere[i];
-  sphere.velocity = parting.velocity[0];
-  if constexpr (Rule::displaces) sphere.position += parting.shift[0];
+  // The wall bears its weight while they touch: it leaves at the rule's velocity, so that on its parabola it starts with this one.
+  const double time = parting.contact_time;
+  sphere.velocity = parting.velocity[0] - time * flight_.gravity;
+  if constexpr (Rule::displaces) sphere.position += parting.shift[0] + time * time / 2 * flight_.gravity;
   if constexpr (Rule::spins) spin_[i] = parting.spin[0];
   --collisions_left_;
   ++flight_.agenda[i].changes;
@@ -194,7 +198,7 @@ void EventSpheres<Queue, Rule>::account(const Meeting& meeting, const Parting& p
     if (!meeting.wall) spent(second, parting.spin[1]);
   }
   if (meeting.wall) {
-    const Eigen::Vector3d impulse = mass * (parting.velocity[0] - first.velocity);
+    const Eigen::Vector3d impulse = mass * (parting.velocity[0] - first.velocity - parting.contact_time * flight_.gravity);
     totals_.wall_work += sign * impulse.dot(second.velocity);
     totals_.contact_moment -= sign * impulse * branch.transpose();
     totals_.contact_time += sign * parting.contact_time / 2;

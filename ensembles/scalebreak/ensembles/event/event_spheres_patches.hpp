@@ -44,6 +44,8 @@ bool EventSpheres<Queue, Rule>::disturbed(std::uint32_t i, std::uint32_t partner
       const Eigen::Vector3d apart = flight_.position(neighbour.sphere(), now_) + image.shift_at(now_) - position;
       const Eigen::Vector3d relative = flight_.velocity(neighbour.sphere(), now_) + Eigen::Vector3d(image.drift, 0, 0) - velocity;
       const double reach = flight_.sphere[one].radius + there.radius + off;
+      // Most are too far for that to be a question: (a + b)² ≤ 2a² + 2b².
+      if (dot(apart, apart) > 2 * (reach * reach + horizon * horizon * dot(relative, relative))) continue;
       if (least_square_distance(apart, relative, horizon) < reach * reach) return true;
     }
     for (std::uint32_t wall = 0; wall < 6; ++wall) {

@@ -39,9 +39,11 @@ inline constexpr double never = std::numeric_limits<double>::infinity();
 /// When a height above a wall, changing at `velocity` and `acceleration`, falls to `radius`.
 [[nodiscard]] inline double time_to_wall(double height, double velocity, double acceleration, double radius) {
   const double gap = height - radius;
-  if (gap <= 0) {  // by rounding, and then it comes back only by acceleration
+  if (gap <= 0) {  // by rounding, or as a contact that lasts has put it: then it comes back only by acceleration
     if (velocity < 0 || (velocity == 0 && acceleration < 0)) return 0;
-    return acceleration < 0 ? -2 * velocity / acceleration : never;
+    if (acceleration >= 0) return never;
+    const double above = velocity * velocity - 2 * acceleration * gap;  // does it come out at all?
+    return (velocity + (above > 0 ? std::sqrt(above) : velocity)) / -acceleration;
   }
   const double discriminant = velocity * velocity - 2 * acceleration * gap;
   if (discriminant < 0) return never;
