@@ -9,6 +9,7 @@
 #include <scalebreak/ensembles/report/run_json.hpp>
 #include <scalebreak/ensembles/report/run_report.hpp>
 #include <scalebreak/ensembles/run/checkpoint.hpp>
+#include <scalebreak/ensembles/run/engine_choice.hpp>
 #include <scalebreak/ensembles/run/run_estimate.hpp>
 #include <scalebreak/ensembles/run/run_flow.hpp>
 #include <scalebreak/output/atomic_file.hpp>
@@ -35,15 +36,15 @@ void stop_on_signals() {
 
 void refuse_other_engines(const std::string& engine) {
   if (engine != "auto" && engine != "dem" && engine != "event" && engine != "hybrid")
-    throw InputError(fmt::format("--engine: {} is not there yet; allowed: dem, event, hybrid, or auto, which chooses dem", engine));
+    throw InputError(fmt::format("--engine: {} is not there yet; allowed: dem, event, hybrid, or auto", engine));
 }
 
-std::string engine_of(const Options& options) { return options.engine == "auto" ? "dem" : options.engine; }
-
 std::string estimate(const Options& options, const Input& input) {
-  if (flies(engine_of(options)))
-    return "engine " + engine_of(options) + ": how many collisions there will be, and so how long it takes, is not known before";
+  const EngineChoice choice = choose_engine(options.engine, input, options.cores());
   const RunEstimate e = estimate_run(input, options.cores());
+  if (flies(choice.engine))
+    return fmt::format("engine {}, {:.0f} spheres; how many collisions there will be is not known before, a guess is {:.2g} s", choice.engine,
+                       e.particles, e.hybrid_seconds);
   return fmt::format(
       "engine dem, {:.0f} spheres, {:.3g} steps, about {:.2g} s on {} threads, {:.2g} MB of memory, {:.2g} MB of particle files with --out",
       e.particles, e.steps, e.seconds, options.cores(), e.bytes / 1e6, e.file_bytes / 1e6);
@@ -70,10 +71,9 @@ void print_steps(const RunOutcome& outcome) {
              run.time, outcome.measured.duration, run.steps, outcome.wall_seconds, outcome.particle_steps() / outcome.wall_seconds);
 }
 
-void print_run(const Options& options, const Input& input, const RunOutcome& outcome) {
+void print_run(const EngineChoice& choice, const Input& input, const RunOutcome& outcome) {
   const RunRecord& run = outcome.replicas.front();
-  fmt::print("engine            {}{}, {} threads\n", run.engine, options.engine == "auto" ? " (auto: it runs every flow)" : "",
-             flies(run.engine) ? 1 : outcome.threads);
+  fmt::print("engine            {} ({}), {} threads\n", run.engine, choice.reason, run.engine == "event" ? 1 : outcome.threads);
   fmt::print("modelled          {}\n", modelled(input));
   if (input.scaling_law != "none" || input.scaling_factor != 1)
     fmt::print("scaled            {} at {:g}; what follows is the scaled system's\n", input.scaling_law, input.scaling_factor);
@@ -122,13 +122,15 @@ void run(Options& options) {
   refuse_other_engines(options.engine);
   if (answered_early(options, [&](const Input& input) { return estimate(options, input); })) return;
   const Input input = options.resume ? input_to_go_on_with(options) : options.input();
-  if (engine_of(options) == "event") refuse_laws_without_tables(input);
+  const EngineChoice choice = choose_engine(options.engine, input, options.cores());
+  if (choice.engine == "event") refuse_laws_without_tables(input);
+  if (flies(choice.engine)) refuse_sizes_without_tables(input);
   stop_on_signals();
   if (!options.out.empty() && !options.resume) begin_run_folder(options.out, input_file_text(input, "run"));
   const RunOutcome outcome = run_flow(input, {.out = options.out,
                                               .threads = options.cores(),
                                               .resume = options.resume,
-                                              .engine = engine_of(options),
+                                              .engine = choice.engine,
                                               .tables = options.store(),
                                               .stop = [] { return told_to_stop.load(); },
                                               .progress = bar(options),
@@ -137,9 +139,11 @@ void run(Options& options) {
     for (const std::string& plot : write_run_report(input, outcome, options.out))
       options.say(plot + " was not drawn: gnuplot is missing or failed; its script is kept in " + options.out);
   }
-  deliver(options, input, "run", run_json(input, outcome));
+  json result = run_json(input, outcome);
+  result["engine_reason"] = choice.reason;
+  deliver(options, input, "run", result);
   if (!options.out.empty()) remove_checkpoint(options.out);
-  if (!options.json) print_run(options, input, outcome);
+  if (!options.json) print_run(choice, input, outcome);
 }
 
 }  // namespace
@@ -148,7 +152,7 @@ void add_run(CLI::App& app, Options& options, std::function<void()>& job) {
   CLI::App* command =
       app.add_subcommand("run", "a flow of many spheres: what is measured with its errors, series, profiles, particle files");
   add_options(*command, options);
-  command->add_option("--engine", options.engine, "what moves the spheres; so far dem, which auto chooses, and event")
+  command->add_option("--engine", options.engine, "what moves the spheres: soft spheres (dem), instantaneous collisions of two (event), both where each is right (hybrid)")
       ->check(CLI::IsMember({"auto", "event", "hybrid", "dem", "lammps"}))
       ->type_name("auto|event|hybrid|dem|lammps");
   command->add_flag("--resume", options.resume, "go on with the unfinished run in --out; without an input, with its own");

@@ -38,7 +38,7 @@ warmup_strain = 6
 strain = {}
 [output]
 formats = []
-)", flow.young, flow.contact, flow.volume_fraction, flow.volume_fraction < 0.2 ? 16 : 10));
+)", flow.young, flow.contact, flow.volume_fraction, flow.volume_fraction < 0.3 ? 80 : 10));
   const RunOutcome soft = run_flow(input, {}), hybrid = run_flow(input, {.engine = "hybrid", .tables = TableStore{.folder = folder / "tables"}});
   EXPECT_GT(hybrid.replicas.front().patches.value().begun, 100);
   std::size_t compared = 0;

@@ -86,14 +86,17 @@ std::string EventEngine::save() const {
   return bytes + spheres_.save();
 }
 
+double enskog_rate(double crowd, double volume_fraction, double speed) {
+  const double contact_value = (1 - volume_fraction / 2) / std::pow(1 - volume_fraction, 3);
+  return 4 * crowd * contact_value * std::sqrt(std::numbers::pi / 3) * speed;
+}
+
 double event_sample_interval(const System& start, double speed) {
   constexpr double collisions_each = 4;
   if (speed == 0) return std::numeric_limits<double>::infinity();
   double square = 0;
-  for (const double radius : start.radius) square += 4 * radius * radius;  // n d² V
-  const double dense = volume_fraction(start.cell, start.radius), contact_value = (1 - dense / 2) / std::pow(1 - dense, 3);
-  const double rate = 4 * square / start.cell.volume() * contact_value * std::sqrt(std::numbers::pi / 3) * speed;
-  return collisions_each / rate;
+  for (const double radius : start.radius) square += 4 * radius * radius;
+  return collisions_each / enskog_rate(square / start.cell.volume(), volume_fraction(start.cell, start.radius), speed);
 }
 
 }  // namespace scalebreak

@@ -36,6 +36,10 @@ class EventEngine final : public FlowEngine {
   EventSpheres<CalendarQueue, TableRule> spheres_;
 };
 
+/// How often a sphere of a gas meets others, by Enskog's theory with Carnahan & Starling's contact value: `crowd` is Σd²/V [1/m], `speed` the root
+/// mean square [m/s] → [1/s].
+[[nodiscard]] double enskog_rate(double crowd, double volume_fraction, double speed);
+
 /// How often the state of an event-driven flow is worth a look: a few times that its spheres fly between collisions, by Enskog's rate at a
 /// root mean square speed [m/s]. Contacts need no look, they are summed as they happen [s].
 [[nodiscard]] double event_sample_interval(const System& start, double speed);

@@ -9,7 +9,7 @@ namespace scalebreak {
 namespace {
 
 /// A sphere's step costs about twice as much in a patch as in the soft-sphere engine, and there all take it: docs/event_driven.md.
-constexpr double crowded_share = 0.4, thin_share = 0.2;
+constexpr double crowded_share = 4, thin_share = 0.2;
 /// Looks at the share of patches between two samples, so that a flow that jams does not do so in patches.
 constexpr int looks = 8;
 

@@ -121,7 +121,7 @@ class EventSpheres {
   void save_patches(std::string& bytes) const;
   void load_patches(std::string_view& bytes);
   void renumber_patches(const std::vector<std::uint32_t>& order);
-  [[nodiscard]] double stretch() const;
+  [[nodiscard]] double longest_stretch() const;
   [[nodiscard]] GroupSphere group_sphere(std::uint32_t i, double time) const;
   /// Everything that is saved and is not a list, the same for both ways.
   template <class Numbers>

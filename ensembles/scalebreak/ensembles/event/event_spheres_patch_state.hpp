@@ -64,7 +64,7 @@ void EventSpheres<Queue, Rule>::renumber_patches(const std::vector<std::uint32_t
 template <class Queue, class Rule>
 void EventSpheres<Queue, Rule>::tell_patch(const Patch& patch, System& system) const {
   Patch now = patch;
-  now.advance_to(now_, 2 * stretch());
+  now.advance_to(now_, 2 * longest_stretch());
   const auto identity = [&](std::size_t k) { return body_[now.sphere[k]].identity; };
   for (std::uint32_t k = 0; k < now.group.count(); ++k) {
     const GroupSphere sphere = now.group.sphere(k);
@@ -93,7 +93,7 @@ void EventSpheres<Queue, Rule>::save_patches(std::string& bytes) const {
     std::vector<GroupSphere> spheres;
     for (std::uint32_t k = 0; k < patch->group.count(); ++k) spheres.push_back(patch->group.sphere(k));
     put_list(bytes, spheres), put_list(bytes, patch->group.contacts()), put_list(bytes, patch->offset), put_list(bytes, patch->push);
-    put_bytes(bytes, patch->group.time());
+    put_bytes(bytes, patch->group.time()), put_bytes(bytes, patch->stretch);
   }
 }
 
@@ -113,9 +113,9 @@ void EventSpheres<Queue, Rule>::load_patches(std::string_view& bytes) {
     std::vector<Offset> offset;
     std::vector<double> push;
     take_list(bytes, spheres), take_list(bytes, contacts), take_list(bytes, offset), take_list(bytes, push);
-    double time = 0;
-    take_bytes(bytes, time);
-    Patch patch{DemGroup(*groups_, time), sphere, offset, push};
+    double time = 0, stretch = 0;
+    take_bytes(bytes, time), take_bytes(bytes, stretch);
+    Patch patch{DemGroup(*groups_, time), sphere, offset, stretch, push};
     for (const GroupSphere& each : spheres) (void)patch.group.add(each);
     for (const ContactMemory& each : contacts) patch.group.add(each);
     for (const std::uint32_t k : sphere) patch_of_[k] = slot;
@@ -136,7 +136,7 @@ void EventSpheres<Queue, Rule>::adopt(const std::vector<ContactMemory>& contacts
   std::vector<std::uint8_t> done(count(), 0);
   for (std::uint32_t seed = 0; seed < count(); ++seed) {
     if (done[seed] || of[seed].empty()) continue;
-    Patch patch{DemGroup(*groups_, now_), {}, {}, {}};
+    Patch patch{DemGroup(*groups_, now_), {}, {}, 0, {}};
     std::map<std::uint32_t, std::int32_t> number;
     const auto add = [&](std::uint32_t k, const Offset& offset) {
       GroupSphere sphere = group_sphere(k, now_);

@@ -12,8 +12,8 @@
 namespace scalebreak {
 
 template <class Queue, class Rule>
-double EventSpheres<Queue, Rule>::stretch() const {
-  constexpr double steps = 32;  // long beside what showing a patch costs, short beside a contact
+double EventSpheres<Queue, Rule>::longest_stretch() const {
+  constexpr double steps = 32;  // long beside what showing a patch costs, short beside a contact of stiff spheres
   return steps * groups_->step();
 }
 
@@ -71,7 +71,7 @@ template <class Queue, class Rule>
 Patch EventSpheres<Queue, Rule>::take_back(std::uint32_t i) {
   const Encounter& first = encounter_[i];
   const double begin = first.begin;
-  Patch patch{DemGroup(*groups_, begin), {}, {}, {}};
+  Patch patch{DemGroup(*groups_, begin), {}, {}, 0, {}};
   const auto put = [&](std::uint32_t k, const Offset& offset) {
     GroupSphere sphere = group_sphere(k, now_);
     sphere.position = encounter_[k].position + offset.shift, sphere.velocity = encounter_[k].velocity, sphere.spin = encounter_[k].spin;
@@ -109,7 +109,7 @@ Patch EventSpheres<Queue, Rule>::take_out(std::uint32_t i, double earliest) {
   }
   if (busy(i)) return take_back(i);
   const double since = std::clamp(encounter_[i].end, earliest, now_);
-  Patch patch{DemGroup(*groups_, since), {}, {}, {}};
+  Patch patch{DemGroup(*groups_, since), {}, {}, 0, {}};
   patch.add(i, group_sphere(i, since), {});
   return patch;
 }
@@ -156,7 +156,7 @@ void EventSpheres<Queue, Rule>::advance(Patch& patch, double time) {
     return sum;
   };
   const double before = energy();
-  patch.advance_to(time, 2 * stretch());
+  patch.advance_to(time, 2 * longest_stretch());
   const GroupTotals gained = group.take_totals();
   totals_.dissipated += before - energy() + gained.wall_work;
   totals_.wall_work += gained.wall_work;
@@ -195,7 +195,8 @@ std::uint32_t EventSpheres<Queue, Rule>::open_slot(Patch&& patch) {
 
 template <class Queue, class Rule>
 void EventSpheres<Queue, Rule>::settle(Patch&& patch) {
-  const LinkedParts linked = linked_parts(patch, stretch());
+  patch.stretch = patch.best_stretch(longest_stretch());
+  const LinkedParts linked = linked_parts(patch, patch.stretch);
   put_members(patch, 0);
   std::vector<std::uint32_t> slots;
   if (linked.parts.size() == 1 && linked.alone.empty()) {
@@ -206,7 +207,7 @@ void EventSpheres<Queue, Rule>::settle(Patch&& patch) {
   }
   std::vector<std::uint32_t> alone;
   for (const std::uint32_t k : linked.alone) alone.push_back(patch.sphere[k]);
-  for (const std::uint32_t slot : slots) put_members(*patch_[slot], stretch());
+  for (const std::uint32_t slot : slots) put_members(*patch_[slot], patch_[slot]->stretch);
   for (const std::uint32_t i : alone) {
     if (!patched(i)) look_ahead(i);
   }
@@ -245,7 +246,7 @@ void EventSpheres<Queue, Rule>::show(std::uint32_t slot) {
 template <class Queue, class Rule>
 Foreseen EventSpheres<Queue, Rule>::foresee_in_patch(std::uint32_t i) const {
   const std::uint32_t slot = patch_of_[i];
-  Foreseen next{patch_[slot]->group.time() + stretch() - now_, {no_neighbour::list_ends, 0}};
+  Foreseen next{patch_[slot]->group.time() + patch_[slot]->stretch - now_, {no_neighbour::list_ends, 0}};
   const Agenda& own = flight_.agenda[i];
   for (std::uint32_t n = own.start; n < own.start + own.count; ++n) {
     const Neighbour neighbour = flight_.pool[n];
@@ -291,7 +292,7 @@ double EventSpheres<Queue, Rule>::elastic_energy() const {
   for (const auto& patch : patch_) {
     if (!patch) continue;
     Patch now = *patch;
-    now.advance_to(now_, 2 * stretch());
+    now.advance_to(now_, 2 * longest_stretch());
     energy += now.group.elastic_energy();
   }
   return energy;

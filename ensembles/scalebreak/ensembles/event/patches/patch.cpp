@@ -35,6 +35,13 @@ void Patch::advance_to(double time, double forget) {
   for (double& each : push) each *= keep;
 }
 
+double Patch::best_stretch(double most) const {
+  constexpr double noticeable = 0.005, least = 1.0 / 8;
+  double radius = group.radius(0);
+  for (std::uint32_t k = 1; k < group.count(); ++k) radius = std::min(radius, group.radius(k));
+  return std::clamp(noticeable * radius / std::max(fastest_meeting(group), 1e-300), least * most, most);
+}
+
 void Patch::absorb(const Patch& other, const Offset& by) {
   group.absorb(other.group, by.shift, {by.drift, 0, 0});
   sphere.insert(sphere.end(), other.sphere.begin(), other.sphere.end());
@@ -43,7 +50,7 @@ void Patch::absorb(const Patch& other, const Offset& by) {
 }
 
 Patch Patch::part(const std::vector<std::uint32_t>& which) const {
-  Patch part{group.part(which), {}, {}, {}};
+  Patch part{group.part(which), {}, {}, stretch, {}};
   for (const std::uint32_t k : which) part.sphere.push_back(sphere[k]), part.offset.push_back(offset[k]), part.push.push_back(push[k]);
   return part;
 }

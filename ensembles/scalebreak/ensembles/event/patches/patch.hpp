@@ -31,11 +31,14 @@ struct Patch {
   DemGroup group;
   std::vector<std::uint32_t> sphere;  ///< in the flow
   std::vector<Offset> offset;
+  double stretch = 0;                 ///< time from one look at it to the next [s]
   std::vector<double> push;  ///< by how much others may change its velocity: what they have done of late, or are about to [m/s]
 
   void add(std::uint32_t number, const GroupSphere& sphere, const Offset& offset);
   /// The group's clock, with all that goes with it. `forget`: the time in which half of a push is forgotten [s].
   void advance_to(double time, double forget);
+  /// How long it may go on unseen: `most` at most, less where spheres would come a noticeable part of their radius on.
+  [[nodiscard]] double best_stretch(double most) const;
   /// Takes in another patch of the same time.
   void absorb(const Patch& other, const Offset& by);
   [[nodiscard]] Patch part(const std::vector<std::uint32_t>& which) const;

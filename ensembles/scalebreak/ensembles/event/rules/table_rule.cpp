@@ -42,7 +42,17 @@ std::unique_ptr<PairResolver> resolver_of(const Input& pair, const TableStore& s
   return resolver;
 }
 
+[[noreturn]] void refuse_sizes() {
+  throw InputError(fmt::format("particles.size: found spheres of more than {} radii; allowed in an event-driven run: \"mono\" or \"bidisperse\", "
+                               "or {}",
+                               TableRule::most_kinds, other_engine));
+}
+
 }  // namespace
+
+void refuse_sizes_without_tables(const Input& input) {
+  if (input.particles.file.empty() && input.particles.size != SizeKind::mono && input.particles.size != SizeKind::bidisperse) refuse_sizes();
+}
 
 void refuse_laws_without_tables(const Input& input) {
   if (find_scaling_law(input.scaling_law)->direct_force)
@@ -68,10 +78,7 @@ TableRule::TableRule(const Input& input, std::vector<SphereKind> kinds, const Ta
                      Unanswered unanswered)
     : kinds_(std::move(kinds)), unanswered_(unanswered), wall_no_slip_(input.cell.wall_no_slip) {
   if (unanswered == Unanswered::integrate) refuse_laws_without_tables(input);
-  if (kinds_.size() > most_kinds)
-    throw InputError(fmt::format("particles.size: found spheres of more than {} radii; allowed in an event-driven run: \"mono\" or \"bidisperse\", "
-                                 "or {}",
-                                 most_kinds, other_engine));
+  if (kinds_.size() > most_kinds) refuse_sizes();
   const auto& boundary = input.cell.boundary;
   const bool walled = std::find(boundary.begin(), boundary.end(), Boundary::wall) != boundary.end();
   for (const SphereKind& first : kinds_) {

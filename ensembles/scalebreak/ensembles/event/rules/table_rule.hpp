@@ -23,6 +23,9 @@ struct SphereKind {
 /// Throws InputError for laws that no collision table describes: scaling laws that map forces, liquids.
 void refuse_laws_without_tables(const Input& input);
 
+/// The same for sizes that are drawn for each sphere, of which there are too many kinds.
+void refuse_sizes_without_tables(const Input& input);
+
 /// What is done with a collision that no table answers: the exact engine resolves it, or it is left to who asks.
 enum class Unanswered { integrate, leave };
 
