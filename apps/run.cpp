@@ -43,8 +43,8 @@ std::string estimate(const Options& options, const Input& input) {
   const EngineChoice choice = choose_engine(options.engine, input, options.cores());
   const RunEstimate e = estimate_run(input, options.cores());
   if (flies(choice.engine))
-    return fmt::format("engine {}, {:.0f} spheres; how many collisions there will be is not known before, a guess is {:.2g} s", choice.engine,
-                       e.particles, e.hybrid_seconds);
+    return fmt::format("engine {}, {:.0f} spheres; how many collisions there will be is not known before, a guess is {:.2g} s",
+                       choice.engine, e.particles, e.hybrid_seconds);
   return fmt::format(
       "engine dem, {:.0f} spheres, {:.3g} steps, about {:.2g} s on {} threads, {:.2g} MB of memory, {:.2g} MB of particle files with --out",
       e.particles, e.steps, e.seconds, options.cores(), e.bytes / 1e6, e.file_bytes / 1e6);
@@ -88,11 +88,12 @@ void print_run(const EngineChoice& choice, const Input& input, const RunOutcome&
   else
     print_steps(outcome);
   if (run.patches)
-    fmt::print("patches           {} begun, with {:.4g} of all contacts and {:.4g} of the spheres' time; {} collisions taken back, {} that no table "
-               "answered, {:.4g} sphere steps of {:.4g} s; {} handovers to or from soft spheres alone, {} steps\n",
-               run.patches->begun, run.patches->contact_starts / run.contact_starts,
-               run.patches->sphere_time / (static_cast<double>(run.particles) * run.time), run.patches->taken_back, run.patches->unresolved,
-               static_cast<double>(run.patches->sphere_steps), run.step.step, run.handovers, run.steps);
+    fmt::print(
+        "patches           {} begun, with {:.4g} of all contacts and {:.4g} of the spheres' time; {} collisions taken back, {} that no table "
+        "answered, {:.4g} sphere steps of {:.4g} s; {} handovers to or from soft spheres alone, {} steps\n",
+        run.patches->begun, run.patches->contact_starts / run.contact_starts,
+        run.patches->sphere_time / (static_cast<double>(run.particles) * run.time), run.patches->taken_back, run.patches->unresolved,
+        static_cast<double>(run.patches->sphere_steps), run.step.step, run.handovers, run.steps);
   for (const Quantity& quantity : outcome.measured.quantities) fmt::print("{:<24}{}\n", quantity.name, in_words(quantity));
   const MeasuredTensor& stress = outcome.measured.stress;
   for (const Eigen::Index i : {0, 1, 2}) {
@@ -152,7 +153,9 @@ void add_run(CLI::App& app, Options& options, std::function<void()>& job) {
   CLI::App* command =
       app.add_subcommand("run", "a flow of many spheres: what is measured with its errors, series, profiles, particle files");
   add_options(*command, options);
-  command->add_option("--engine", options.engine, "what moves the spheres: soft spheres (dem), instantaneous collisions of two (event), both where each is right (hybrid)")
+  command
+      ->add_option("--engine", options.engine,
+                   "what moves the spheres: soft spheres (dem), instantaneous collisions of two (event), both where each is right (hybrid)")
       ->check(CLI::IsMember({"auto", "event", "hybrid", "dem", "lammps"}))
       ->type_name("auto|event|hybrid|dem|lammps");
   command->add_flag("--resume", options.resume, "go on with the unfinished run in --out; without an input, with its own");

@@ -124,10 +124,12 @@ TEST_F(RunCommand, RefusesInOneSentence) {
     EXPECT_EQ(result.out, "");
     return result.err;
   };
-  EXPECT_EQ(refused({"run", "--engine", "lammps"}), "scalebreak: --engine: lammps is not there yet; allowed: dem, event, hybrid, or auto\n");
-  EXPECT_EQ(refused({"run", "--engine", "hybrid", "--set", "particles.size=lognormal", "--set", "particles.size_spread=0.1"}),
-            "scalebreak: particles.size: found spheres of more than 8 radii; allowed in an event-driven run: \"mono\" or \"bidisperse\", or --engine "
-            "dem, which integrates every contact\n");
+  EXPECT_EQ(refused({"run", "--engine", "lammps"}),
+            "scalebreak: --engine: lammps is not there yet; allowed: dem, event, hybrid, or auto\n");
+  EXPECT_EQ(
+      refused({"run", "--engine", "hybrid", "--set", "particles.size=lognormal", "--set", "particles.size_spread=0.1"}),
+      "scalebreak: particles.size: found spheres of more than 8 radii; allowed in an event-driven run: \"mono\" or \"bidisperse\", or --engine "
+      "dem, which integrates every contact\n");
   EXPECT_EQ(refused({"run", "--resume"}), "scalebreak: --resume: --out is missing; allowed: --out with the folder of an unfinished run\n");
   EXPECT_EQ(refused({"run", "--resume", "--out", out}),
             "scalebreak: --resume: " + out + " holds no checkpoint.bin; allowed: --out with the folder of an unfinished run\n");

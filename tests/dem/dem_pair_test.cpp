@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "dem/scenes.hpp"
 #include <scalebreak/dem/group/dem_group.hpp>
+#include "dem/scenes.hpp"
 
 // Pairs under the soft-sphere engine beside the exact one: every law, with an error that falls as the step does.
 

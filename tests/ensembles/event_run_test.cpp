@@ -104,8 +104,9 @@ TEST_F(EventRun, GoesOnWithItsOwnEngineOnly) {
 
 TEST_F(EventRun, ThatSticksSaysSo) {
   input = resolved(small_shear, {"contact.tangential=none", "material.surface_energy=10"});
-  EXPECT_THAT(message_of<WorkError>([&] { (void)run_flow(input, options("out")); }),
-              testing::HasSubstr(" stick together, which an event cannot say; allowed: a flow that is faster or adheres less, or --engine dem"));
+  EXPECT_THAT(
+      message_of<WorkError>([&] { (void)run_flow(input, options("out")); }),
+      testing::HasSubstr(" stick together, which an event cannot say; allowed: a flow that is faster or adheres less, or --engine dem"));
 }
 
 }  // namespace

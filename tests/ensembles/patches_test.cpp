@@ -26,9 +26,10 @@ TableStore store() {
 }
 
 Input flow_of(const std::string& contact, double young = 1e9) {
-  return resolved(fmt::format("[material]\nyoung = {:g}\n[contact]\n{}\n[particles]\ncount = 3\n[cell]\nkind = \"cooling\"\n"
-                              "size = [{}, {}, {}]\n",
-                              young, contact, edge, edge, edge));
+  return resolved(
+      fmt::format("[material]\nyoung = {:g}\n[contact]\n{}\n[particles]\ncount = 3\n[cell]\nkind = \"cooling\"\n"
+                  "size = [{}, {}, {}]\n",
+                  young, contact, edge, edge, edge));
 }
 
 System spheres_at(const std::vector<Vector3d>& positions, const std::vector<Vector3d>& velocities) {
@@ -156,7 +157,9 @@ Deviations deviations_of_clusters(const Input& input, unsigned seeds) {
 TEST(Patches, OfClustersComeOutAsTheExactEngineHasItTheBetterTheSmallerTheirStep) {
   const Deviations found = deviations_of_clusters(flow_of("normal = \"hertz\"\ntangential = \"mindlin\"", 1e8), 60);
   const Quantiles hybrid(found.hybrid), fine(found.fine), binary(found.binary);
-  const auto say = [](const char* name, const Quantiles& q) { return fmt::format("{}: {:.1e}, {:.1e}, {:.1e}; ", name, q.median, q.most_of_them, q.most); };
+  const auto say = [](const char* name, const Quantiles& q) {
+    return fmt::format("{}: {:.1e}, {:.1e}, {:.1e}; ", name, q.median, q.most_of_them, q.most);
+  };
   const std::string all = say("step 0.15", hybrid) + say("0.02", fine) + say("two at a time", binary);
   testing::Test::RecordProperty("deviations", all);
   EXPECT_LT(hybrid.median, 0.01) << all;

@@ -31,7 +31,9 @@ void take_bytes(std::string_view& bytes, T& value) {
 /// A value that there may be none of.
 template <class T>
 requires std::is_arithmetic_v<T>
-void put_bytes(std::string& bytes, const std::optional<T>& value) { put_bytes(bytes, value.has_value()), put_bytes(bytes, value.value_or(T{})); }
+void put_bytes(std::string& bytes, const std::optional<T>& value) {
+  put_bytes(bytes, value.has_value()), put_bytes(bytes, value.value_or(T{}));
+}
 
 template <class T>
 requires std::is_arithmetic_v<T>

@@ -22,11 +22,11 @@ struct GroupSphere {
 
 /// What a group's contacts did since it was last asked.
 struct GroupTotals {
-  double contact_starts = 0;  ///< of a sphere at a wall ½
-  double contact_time = 0;    ///< [s]; of a sphere at a wall ½
-  double wall_work = 0;       ///< done by moving walls on the spheres [J]
+  double contact_starts = 0;                                 ///< of a sphere at a wall ½
+  double contact_time = 0;                                   ///< [s]; of a sphere at a wall ½
+  double wall_work = 0;                                      ///< done by moving walls on the spheres [J]
   Eigen::Matrix3d contact_moment = Eigen::Matrix3d::Zero();  ///< −∫Σ force branchᵀ dt [N m s]
-  long steps = 0;             ///< of all spheres together
+  long steps = 0;                                            ///< of all spheres together
 };
 
 /// A few spheres, of which all may touch each other and the walls, in open space: the laws and the loops of Dem without its lists. Between two

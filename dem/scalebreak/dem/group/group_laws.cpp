@@ -25,8 +25,9 @@ Cell open_cell() {
 GroupLaws::GroupLaws(const DemSetup& setup, const Cell& cell, std::vector<LawRows::Kind> kinds)
     : kernel_(&kernel(setup.kernel)), kinds_(std::move(kinds)), images_(open_cell(), 0), gravity_(setup.gravity), step_(setup.step) {
   if (kinds_.empty() || kinds_.size() > most_kinds)
-    throw InputError(fmt::format("particles.size: found spheres of {} radii and materials; allowed: 1 to {} in groups that are integrated on their own",
-                                 kinds_.size(), most_kinds));
+    throw InputError(
+        fmt::format("particles.size: found spheres of {} radii and materials; allowed: 1 to {} in groups that are integrated on their own",
+                    kinds_.size(), most_kinds));
   rows_ = LawRows(setup, kinds_, false, false);
   walls_ = walls_of(cell, setup.wall_no_slip);
   if (!walls_.empty()) wall_rows_ = LawRows(setup, kinds_, true, false);

@@ -15,7 +15,8 @@ namespace scalebreak {
 class DemEngine final : public FlowEngine {
  public:
   /// `dissipates`: do the laws take energy, of which the engine does not say how much?
-  DemEngine(const System& start, const DemSetup& setup, bool dissipates) : dem_(start, setup), step_(setup.step), start_(start.time), dissipates_(dissipates) {}
+  DemEngine(const System& start, const DemSetup& setup, bool dissipates)
+      : dem_(start, setup), step_(setup.step), start_(start.time), dissipates_(dissipates) {}
   /// Goes on with the same setup. Throws WorkError where this processor has another instruction set than the one that was left.
   DemEngine(std::string_view saved, const DemSetup& setup, bool dissipates);
 

@@ -23,7 +23,8 @@ struct PatchTotals {
   /// `number` is called with each of a and the same of b.
   template <class A, class B, class Number>
   static void pair_up(A& a, B& b, Number&& number) {
-    number(a.begun, b.begun), number(a.taken_back, b.taken_back), number(a.unresolved, b.unresolved), number(a.sphere_steps, b.sphere_steps);
+    number(a.begun, b.begun), number(a.taken_back, b.taken_back), number(a.unresolved, b.unresolved),
+        number(a.sphere_steps, b.sphere_steps);
     number(a.contact_starts, b.contact_starts), number(a.sphere_time, b.sphere_time);
   }
 };
@@ -34,7 +35,7 @@ struct EngineTotals {
   double wall_work = 0;       ///< done by moving walls on the spheres [J]
   std::optional<double> shear_work, dissipated, contact_time;
   std::optional<Eigen::Matrix3d> contact_moment;
-  long steps = 0;              ///< of time
+  long steps = 0;                  ///< of time
   std::optional<long> events;      ///< of an event-driven engine
   std::optional<long> integrated;  ///< of these, collisions that no table answered
   std::optional<long> delayed;     ///< and those put behind, TableRule::delayed

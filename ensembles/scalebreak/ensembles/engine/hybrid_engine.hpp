@@ -40,7 +40,7 @@ class HybridEngine final : public FlowEngine {
   bool keeps_sums_ = true;
   std::unique_ptr<EventEngine> flying_;  ///< one of the two
   std::unique_ptr<DemEngine> soft_;
-  EngineTotals before_;  ///< of engines that have handed over
+  EngineTotals before_;    ///< of engines that have handed over
   double patch_time_ = 0;  ///< at the last look [s]
 };
 

@@ -54,7 +54,7 @@ class EventSpheres {
   [[nodiscard]] System system() const;
   /// Makes patches of all contacts that last, so that system() is as soft spheres are and says what touches.
   void open_contacts();
-  [[nodiscard]] std::size_t patched() const;   ///< spheres in patches
+  [[nodiscard]] std::size_t patched() const;    ///< spheres in patches
   [[nodiscard]] double elastic_energy() const;  ///< of all patches [J]
   [[nodiscard]] double mean_neighbours() const;
   [[nodiscard]] const Cell& cell() const { return flight_.cell; }
@@ -138,14 +138,14 @@ class EventSpheres {
   std::vector<std::uint32_t> patch_of_;
   std::vector<std::optional<Patch>> patch_;
   std::vector<std::uint32_t> free_slot_;
-  double base_ = 0;          ///< absolute time of time 0 [s]
-  double now_ = 0;           ///< relative
-  double renew_at_ = 0;      ///< relative, at the latest
-  long collisions_left_ = 0;  ///< until the next renewal
+  double base_ = 0;                          ///< absolute time of time 0 [s]
+  double now_ = 0;                           ///< relative
+  double renew_at_ = 0;                      ///< relative, at the latest
+  long collisions_left_ = 0;                 ///< until the next renewal
   static constexpr double collapsed = 1e-7;  ///< of the longest time that as many collisions have taken
-  long watched_ = 0;                          ///< collisions since
-  double watched_from_ = 0;                   ///< this absolute time [s]
-  double longest_watch_ = 0;                  ///< [s]
+  long watched_ = 0;                         ///< collisions since
+  double watched_from_ = 0;                  ///< this absolute time [s]
+  double longest_watch_ = 0;                 ///< [s]
   EventTotals totals_;
   std::uint64_t queue_operations_ = 0;  ///< before the last renewal
 };

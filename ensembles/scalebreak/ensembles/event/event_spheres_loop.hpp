@@ -217,9 +217,10 @@ void EventSpheres<Queue, Rule>::watch_for_collapse() {
   if (++watched_ < window) return;
   const double spent = time() - watched_from_;
   if (spent <= collapsed * longest_watch_)
-    throw WorkError(fmt::format("the flow collapsed at {:.6g} s: {} collisions of spheres that are constantly in contact took {:.3g} s together, "
-                                "and collisions that take no time cannot go on from there; a softer contact needs another engine",
-                                time(), window, spent));
+    throw WorkError(
+        fmt::format("the flow collapsed at {:.6g} s: {} collisions of spheres that are constantly in contact took {:.3g} s together, "
+                    "and collisions that take no time cannot go on from there; a softer contact needs another engine",
+                    time(), window, spent));
   longest_watch_ = std::max(longest_watch_, spent);
   watched_ = 0;
   watched_from_ = time();

@@ -119,7 +119,9 @@ void EventSpheres<Queue, Rule>::crowd(std::uint32_t i, Neighbour partner) {
   const bool with_sphere = partner.sphere() < most_flying_spheres;
   const std::uint32_t j = partner.sphere();
   // What is in contact is from before now; what is free then comes to it in time.
-  const auto since = [&](std::uint32_t k) { return patched(k) ? patch_[patch_of_[k]]->group.time() : busy(k) ? encounter_[k].begin : now_; };
+  const auto since = [&](std::uint32_t k) {
+    return patched(k) ? patch_[patch_of_[k]]->group.time() : busy(k) ? encounter_[k].begin : now_;
+  };
   const double earliest = with_sphere ? std::min(since(i), since(j)) : since(i);
   Patch patch = take_out(i, earliest);
   bool has_both = !with_sphere || std::find(patch.sphere.begin(), patch.sphere.end(), j) != patch.sphere.end();
@@ -172,7 +174,8 @@ void EventSpheres<Queue, Rule>::put_members(const Patch& patch, double horizon) 
   for (std::uint32_t k = 0; k < patch.group.count(); ++k) {
     const std::uint32_t i = patch.sphere[k];
     const GroupSphere sphere = patch.group.sphere(k);
-    flight_.sphere[i] = {sphere.position - patch.offset[k].shift, patch.group.time(), sphere.velocity, sphere.radius + patch.push[k] * horizon};
+    flight_.sphere[i] = {sphere.position - patch.offset[k].shift, patch.group.time(), sphere.velocity,
+                         sphere.radius + patch.push[k] * horizon};
     flight_.sphere[i].velocity.x() -= patch.offset[k].drift;
     spin_[i] = sphere.spin;
     ++flight_.agenda[i].changes;
@@ -225,7 +228,8 @@ void EventSpheres<Queue, Rule>::show(std::uint32_t slot) {
     if (share_of_allowance(flight_, i, now_) > far_enough) {
       list_anew(i);
       // It may have been brought back into the cell.
-      patch.offset[k] = {patch.group.position(k) - flight_.sphere[i].position, patch.group.velocity(k).x() - flight_.sphere[i].velocity.x()};
+      patch.offset[k] = {patch.group.position(k) - flight_.sphere[i].position,
+                         patch.group.velocity(k).x() - flight_.sphere[i].velocity.x()};
     }
   }
   for (const std::uint32_t i : patch.sphere) {
@@ -234,7 +238,8 @@ void EventSpheres<Queue, Rule>::show(std::uint32_t slot) {
       const Neighbour neighbour = flight_.pool[n];
       const std::uint32_t j = neighbour.sphere();
       if (patch_of_[j] == slot) continue;
-      const Eigen::Vector3d apart = flight_.position(j, now_) + flight_.images[neighbour.image()].shift_at(now_) - flight_.position(i, now_);
+      const Eigen::Vector3d apart =
+          flight_.position(j, now_) + flight_.images[neighbour.image()].shift_at(now_) - flight_.position(i, now_);
       const double reach = flight_.sphere[i].radius + flight_.sphere[j].radius;
       // It is in the ball already. What is at its edge and leaves stays out.
       if (apart.squaredNorm() < reach * reach * (1 - 1e-12)) return crowd(i, neighbour);

@@ -64,7 +64,8 @@ json run_json(const Input& input, const RunOutcome& outcome) {
   long steps = 0, integrated = 0, delayed = 0;
   std::vector<std::string> warnings;
   for (const RunRecord& run : outcome.replicas) {
-    particles += static_cast<double>(run.particles), steps += run.steps, integrated += run.integrated.value_or(0), delayed += run.delayed.value_or(0);
+    particles += static_cast<double>(run.particles), steps += run.steps, integrated += run.integrated.value_or(0),
+        delayed += run.delayed.value_or(0);
     for (const std::string& warning : run.warnings) {
       if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end()) warnings.push_back(warning);
     }

@@ -1,5 +1,7 @@
 #include <scalebreak/ensembles/report/run_report.hpp>
 
+#include <scalebreak/ensembles/engine/engine_names.hpp>
+
 #include <cmath>
 
 #include <fmt/format.h>
@@ -52,19 +54,26 @@ void add_numbers(HtmlReport& report, const RunOutcome& outcome) {
   report.table({"quantity", "mean", "standard error", "unit"}, rows);
 }
 
+std::string how_it_flew(const RunRecord& run) {
+  if (!run.patches) return "Event-driven engine";
+  return fmt::format("Hybrid engine, {:.3g} of all contacts in {} patches of spheres, {} handovers to or from soft spheres alone",
+                     run.patches->contact_starts / run.contact_starts, run.patches->begun, run.handovers);
+}
+
 std::string what_ran(const RunOutcome& outcome) {
   const RunRecord& run = outcome.replicas.front();
-  if (run.engine == "event")
+  if (flies(run.engine))
     return fmt::format(
-        "{} spheres in a cell of {:g} × {:g} × {:g} m, volume fraction {:.4g}. Event-driven engine, {} events, of which {} no table answered, {:.4g} s of "
+        "{} spheres in a cell of {:g} × {:g} × {:g} m, volume fraction {:.4g}. {}, {} events, of which {} no table answered, {:.4g} s of "
         "which {:.4g} s are measured. {:.3g} s of wall time, {:.3g} events per second.",
-        run.particles, run.cell.x(), run.cell.y(), run.cell.z(), run.volume_fraction, run.events.value_or(0), run.integrated.value_or(0), run.time,
-        outcome.measured.duration, outcome.wall_seconds, static_cast<double>(outcome.events()) / outcome.wall_seconds);
+        run.particles, run.cell.x(), run.cell.y(), run.cell.z(), run.volume_fraction, how_it_flew(run), run.events.value_or(0),
+        run.integrated.value_or(0), run.time, outcome.measured.duration, outcome.wall_seconds,
+        static_cast<double>(outcome.events()) / outcome.wall_seconds);
   return fmt::format(
       "{} spheres in a cell of {:g} × {:g} × {:g} m, volume fraction {:.4g}. Soft-sphere engine, {} steps of {:.4g} s (limited by {}; the smallest bound "
       "is that of the {}, {:.4g} s), {:.4g} s of which {:.4g} s are measured. {:.3g} s of wall time on {} threads, {:.3g} particle steps per second.",
-      run.particles, run.cell.x(), run.cell.y(), run.cell.z(), run.volume_fraction, run.steps, run.schedule.step, run.step.limit, run.step.bound,
-      run.step.bound_step, run.time, outcome.measured.duration, outcome.wall_seconds, outcome.threads,
+      run.particles, run.cell.x(), run.cell.y(), run.cell.z(), run.volume_fraction, run.steps, run.schedule.step, run.step.limit,
+      run.step.bound, run.step.bound_step, run.time, outcome.measured.duration, outcome.wall_seconds, outcome.threads,
       outcome.particle_steps() / outcome.wall_seconds);
 }
 
@@ -101,9 +110,10 @@ std::vector<std::string> write_run_report(const Input& input, const RunOutcome& 
     for (const std::string& warning : run.warnings) report.paragraph("Warning: " + warning + ".");
   }
   report.heading("What was measured");
-  report.paragraph(outcome.replicas.size() == 1
-                       ? "Means over the time after the warm-up. A dash: there is nothing to tell, or the run is too short to tell the error."
-                       : fmt::format("Means over {} replicas, with the error from how they differ.", outcome.replicas.size()));
+  report.paragraph(
+      outcome.replicas.size() == 1
+          ? "Means over the time after the warm-up. A dash: there is nothing to tell, or the run is too short to tell the error."
+          : fmt::format("Means over {} replicas, with the error from how they differ.", outcome.replicas.size()));
   add_numbers(report, outcome);
   report.heading("In time");
   report.figure(out / "temperature.svg", "Granular temperature at every row of series.csv, the warm-up included.");

@@ -19,8 +19,9 @@ EngineChoice choose_engine(const std::string& engine, const Input& input, int th
   if (input.particles.size != SizeKind::mono && input.particles.size != SizeKind::bidisperse)
     return {"dem", "spheres of all sizes would need tables of their own"};
   const RunEstimate e = estimate_run(input, threads);
-  const std::string numbers = fmt::format("contact time x collision rate is about {:.2g}; about {:.2g} s by the hybrid, {:.2g} s by soft spheres on {} threads",
-                                          e.contact_time * e.collision_rate, e.hybrid_seconds, e.seconds, threads);
+  const std::string numbers =
+      fmt::format("contact time x collision rate is about {:.2g}; about {:.2g} s by the hybrid, {:.2g} s by soft spheres on {} threads",
+                  e.contact_time * e.collision_rate, e.hybrid_seconds, e.seconds, threads);
   if (e.contact_time > 0 && e.seconds > e.hybrid_seconds + tables_seconds) return {"hybrid", numbers};
   return {"dem", numbers + fmt::format(", which may be {:g} s later for its tables", tables_seconds)};
 }

@@ -55,7 +55,8 @@ class FlowRun {
   void look();
   /// Of a start, or of what an engine left.
   template <class Start>
-  [[nodiscard]] std::unique_ptr<FlowEngine> make_engine(const Start& start, const Input& input, int threads, const TableStore* tables) const;
+  [[nodiscard]] std::unique_ptr<FlowEngine> make_engine(const Start& start, const Input& input, int threads,
+                                                        const TableStore* tables) const;
 
   Eigen::Vector3d gravity_;
   RunRecord record_;

@@ -35,13 +35,15 @@ double fast_allowance(const System& system) {
 
 void check_room_for_lists(const System& system, double allowance) {
   if (system.count() > most_flying_spheres)
-    throw InputError(fmt::format("particles.count: found {}; allowed: at most {} in an event-driven run", system.count(), most_flying_spheres));
+    throw InputError(
+        fmt::format("particles.count: found {}; allowed: at most {} in an event-driven run", system.count(), most_flying_spheres));
   constexpr double least_share = 0.02;  // of the radius: below, a sphere would hardly do anything but look for neighbours
   const double radius = largest_radius(system), edge = shortest_periodic_edge(system.cell);
   if (edge < 4 * (radius + std::max(allowance, least_share * radius)))
-    throw InputError(fmt::format("cell.size: found a periodic edge of {:g} m; allowed: at least {:g} m in an event-driven run, so that lists of "
-                                 "neighbours end before half of it",
-                                 edge, 4 * (1 + least_share) * radius));
+    throw InputError(
+        fmt::format("cell.size: found a periodic edge of {:g} m; allowed: at least {:g} m in an event-driven run, so that lists of "
+                    "neighbours end before half of it",
+                    edge, 4 * (1 + least_share) * radius));
 }
 
 }  // namespace scalebreak

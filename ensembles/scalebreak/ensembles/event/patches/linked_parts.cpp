@@ -69,7 +69,8 @@ class Linker {
     });
     double radius = 0, run = 0;
     for (std::uint32_t k = 0; k < spheres_.size(); ++k)
-      radius = std::max(radius, spheres_[k].radius), run = std::max(run, (spheres_[k].velocity - spheres_[0].velocity).norm() + patch_.push[k]);
+      radius = std::max(radius, spheres_[k].radius),
+      run = std::max(run, (spheres_[k].velocity - spheres_[0].velocity).norm() + patch_.push[k]);
     const double most = 2 * (radius + run * horizon_);
     bool linked = false;
     for (std::size_t n = 0; n < order.size(); ++n) {
@@ -83,9 +84,7 @@ class Linker {
   [[nodiscard]] const Bonds& bonds() const { return bonds_; }
 
  private:
-  [[nodiscard]] double spinning(const GroupSphere& one) const {
-    return patch_.group.laws().turns() ? one.radius * one.spin.norm() : 0.0;
-  }
+  [[nodiscard]] double spinning(const GroupSphere& one) const { return patch_.group.laws().turns() ? one.radius * one.spin.norm() : 0.0; }
 
   bool link_if_near(std::uint32_t a, std::uint32_t b) {
     const int act = bonds_.acts(a) + bonds_.acts(b);

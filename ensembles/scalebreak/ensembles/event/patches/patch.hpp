@@ -31,7 +31,7 @@ struct Patch {
   DemGroup group;
   std::vector<std::uint32_t> sphere;  ///< in the flow
   std::vector<Offset> offset;
-  double stretch = 0;                 ///< time from one look at it to the next [s]
+  double stretch = 0;        ///< time from one look at it to the next [s]
   std::vector<double> push;  ///< by how much others may change its velocity: what they have done of late, or are about to [m/s]
 
   void add(std::uint32_t number, const GroupSphere& sphere, const Offset& offset);

@@ -17,7 +17,8 @@ struct Meeting {
   };
   Eigen::Vector3d normal;  ///< unit vector from the first to the second
   Body first, second;
-  double distance = 0;  ///< of the centres, or of a centre and the wall; less than the radii where an earlier collision has shifted them [m]
+  double distance =
+      0;  ///< of the centres, or of a centre and the wall; less than the radii where an earlier collision has shifted them [m]
   bool wall = false;
 
   /// Of the first relative to the second.
@@ -29,7 +30,7 @@ struct Meeting {
 struct Parting {
   std::array<Eigen::Vector3d, 2> velocity, spin{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
   std::array<Eigen::Vector3d, 2> shift{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};  ///< [m]
-  double contact_time = 0;                                                                ///< [s]
+  double contact_time = 0;                                                                 ///< [s]
   bool unresolved = false;  ///< the rule does not say, and the two are as they were
 };
 

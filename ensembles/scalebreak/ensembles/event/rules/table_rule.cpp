@@ -29,40 +29,46 @@ Input pair_input(const Input& flow, const std::vector<std::pair<double, std::uin
   return pair;
 }
 
-std::unique_ptr<PairResolver> resolver_of(const Input& pair, const TableStore& store, const PairTolerance& tolerance, Unanswered unanswered) {
+std::unique_ptr<PairResolver> resolver_of(const Input& pair, const TableStore& store, const PairTolerance& tolerance,
+                                          Unanswered unanswered) {
   const bool leaves = unanswered == Unanswered::leave;
   if (leaves && (find_scaling_law(pair.scaling_law)->direct_force || pair.surface.attraction != Attraction::none)) return nullptr;
   auto resolver = std::make_unique<PairResolver>(pair, store, tolerance);
   if (const Refusal refusal = resolver->standing_refusal(); refusal != Refusal::none) {
     if (leaves) return nullptr;
-    throw InputError(fmt::format("contact: between spheres of radii {} m no collision table can serve ({}); allowed in an event-driven run: laws and "
-                                 "sizes that have one, or {}",
-                                 fmt::join(pair.radius, " and "), to_string(refusal), other_engine));
+    throw InputError(
+        fmt::format("contact: between spheres of radii {} m no collision table can serve ({}); allowed in an event-driven run: laws and "
+                    "sizes that have one, or {}",
+                    fmt::join(pair.radius, " and "), to_string(refusal), other_engine));
   }
   return resolver;
 }
 
 [[noreturn]] void refuse_sizes() {
-  throw InputError(fmt::format("particles.size: found spheres of more than {} radii; allowed in an event-driven run: \"mono\" or \"bidisperse\", "
-                               "or {}",
-                               TableRule::most_kinds, other_engine));
+  throw InputError(
+      fmt::format("particles.size: found spheres of more than {} radii; allowed in an event-driven run: \"mono\" or \"bidisperse\", "
+                  "or {}",
+                  TableRule::most_kinds, other_engine));
 }
 
 }  // namespace
 
 void refuse_sizes_without_tables(const Input& input) {
-  if (input.particles.file.empty() && input.particles.size != SizeKind::mono && input.particles.size != SizeKind::bidisperse) refuse_sizes();
+  if (input.particles.file.empty() && input.particles.size != SizeKind::mono && input.particles.size != SizeKind::bidisperse)
+    refuse_sizes();
 }
 
 void refuse_laws_without_tables(const Input& input) {
   if (find_scaling_law(input.scaling_law)->direct_force)
-    throw InputError(fmt::format("scaling.law: found \"{}\", which maps forces and has no collision tables; allowed in an event-driven run: laws "
-                                 "that scale the material, or {}",
-                                 input.scaling_law, other_engine));
+    throw InputError(
+        fmt::format("scaling.law: found \"{}\", which maps forces and has no collision tables; allowed in an event-driven run: laws "
+                    "that scale the material, or {}",
+                    input.scaling_law, other_engine));
   if (input.surface.attraction != Attraction::none)
-    throw InputError(fmt::format("contact.attraction: found a liquid, which acts at a distance and has no collision tables; allowed in an "
-                                 "event-driven run: \"none\", or {}",
-                                 other_engine));
+    throw InputError(
+        fmt::format("contact.attraction: found a liquid, which acts at a distance and has no collision tables; allowed in an "
+                    "event-driven run: \"none\", or {}",
+                    other_engine));
 }
 
 std::vector<SphereKind> kinds_of(const System& system) {
@@ -97,8 +103,7 @@ std::size_t TableRule::kind_of(const Meeting::Body& body) const {
 
 const PairResolver* TableRule::resolver(const Meeting& meeting) const {
   const std::size_t first = kind_of(meeting.first);
-  return (meeting.wall ? walls_[first] : pairs_[first * kinds_.size() + kind_of(meeting.second)])
-      .get();
+  return (meeting.wall ? walls_[first] : pairs_[first * kinds_.size() + kind_of(meeting.second)]).get();
 }
 
 Parting TableRule::collide(const Meeting& meeting) { return answer(meeting, 1); }
@@ -129,13 +134,16 @@ Parting TableRule::answer(const Meeting& meeting, int count) {
     outcome = pair->integrate(impact);
   }
   if (outcome.stuck)
-    throw WorkError(fmt::format("{} met at {:.3g} m/s and stick together, which an event cannot say; allowed: a flow that is faster or adheres "
-                                "less, or {}",
-                                meeting.wall ? "a sphere and a wall" : "two spheres", normal_speed, other_engine));
-  Parting parting{.velocity = {outcome.velocity[0] + still, outcome.velocity[1] + still}, .spin = outcome.spin, .contact_time = outcome.contact_time};
+    throw WorkError(
+        fmt::format("{} met at {:.3g} m/s and stick together, which an event cannot say; allowed: a flow that is faster or adheres "
+                    "less, or {}",
+                    meeting.wall ? "a sphere and a wall" : "two spheres", normal_speed, other_engine));
+  Parting parting{
+      .velocity = {outcome.velocity[0] + still, outcome.velocity[1] + still}, .spin = outcome.spin, .contact_time = outcome.contact_time};
   if (loses_spin) parting.spin[0].setZero();
   // Where they parted, and from there back along their new paths to now, or until just before they are nearest.
-  const Eigen::Vector3d parted = outcome.displacement - meeting.distance * meeting.normal, velocity = outcome.velocity[0] - outcome.velocity[1];
+  const Eigen::Vector3d parted = outcome.displacement - meeting.distance * meeting.normal,
+                        velocity = outcome.velocity[0] - outcome.velocity[1];
   double back = outcome.contact_time;
   constexpr double almost = 0.9;
   if (const double nearest = almost * parted.dot(velocity) / velocity.squaredNorm(); !meeting.wall && nearest < back) {
