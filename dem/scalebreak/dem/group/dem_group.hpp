@@ -13,6 +13,11 @@
 
 namespace scalebreak {
 
+namespace dem {
+[[nodiscard]] inline Quad quad(const Eigen::Vector3d& v, double w) { return {v.x(), v.y(), v.z(), w}; }
+[[nodiscard]] inline Eigen::Vector3d vector(const Quad& quad) { return {quad.x, quad.y, quad.z}; }
+}  // namespace dem
+
 /// A sphere that comes into a group, or leaves it, SI.
 struct GroupSphere {
   Eigen::Vector3d position{0, 0, 0}, velocity{0, 0, 0}, spin{0, 0, 0};
@@ -75,8 +80,12 @@ class DemGroup {
   [[nodiscard]] dem::MoveTask move_task(double step);
   void kick(double time);
   [[nodiscard]] dem::ForceTask task(dem::Pairs& pairs, const dem::WallView* wall);
+  /// The pairs of spheres (without a wall), and those with each wall.
   template <class Visit>
-  void each_list(Visit&& visit);
+  void each_list(Visit&& visit) {
+    visit(pairs_, static_cast<const dem::WallView*>(nullptr));
+    for (std::size_t w = 0; w < walls_.size(); ++w) visit(walls_[w], &laws_->walls()[w]);
+  }
 
   const GroupLaws* laws_;
   double time_;
