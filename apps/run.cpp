@@ -50,6 +50,13 @@ std::string estimate(const Options& options, const Input& input) {
       e.particles, e.steps, e.seconds, options.cores(), e.bytes / 1e6, e.file_bytes / 1e6);
 }
 
+/// The engine of a run; of one that goes on without being told which, the one that it had.
+EngineChoice engine_choice(const Options& options, const std::string& asked, const Input& input) {
+  EngineChoice choice = choose_engine(asked, input, options.cores());
+  if (options.engine != asked && choice.engine != options.engine) choice = {options.engine, "as the run began"};
+  return choice;
+}
+
 /// A run that goes on has its input and threads in the checkpoint; what is given must be the same.
 Input input_to_go_on_with(Options& options) {
   if (options.out.empty()) throw InputError("--resume: --out is missing; allowed: --out with the folder of an unfinished run");
@@ -122,8 +129,9 @@ std::function<void(const RunProgress&)> bar(const Options& options) {
 void run(Options& options) {
   refuse_other_engines(options.engine);
   if (answered_early(options, [&](const Input& input) { return estimate(options, input); })) return;
+  const std::string asked = options.engine;
   const Input input = options.resume ? input_to_go_on_with(options) : options.input();
-  const EngineChoice choice = choose_engine(options.engine, input, options.cores());
+  const EngineChoice choice = engine_choice(options, asked, input);
   if (choice.engine == "event") refuse_laws_without_tables(input);
   if (flies(choice.engine)) refuse_sizes_without_tables(input);
   stop_on_signals();
