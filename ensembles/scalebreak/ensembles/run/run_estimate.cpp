@@ -13,8 +13,9 @@
 namespace scalebreak {
 namespace {
 
-/// Spheres times steps per second and thread; measured on a busy machine: 2.6e7 at a volume fraction of 0.3, 6e7 at 0.1.
-constexpr double particle_steps_per_second = 2e7;
+/// Seconds of soft spheres for a sphere's step: of one that flies, and for what is in contact beside, over contact time × collision rate up to
+/// what a crowd costs; docs/event_driven.md.
+constexpr double flying_seconds = 5e-9, contact_seconds = 130e-9, crowd_seconds = 75e-9;
 /// Seconds of the hybrid for a collision, for one in a patch beside, and how many there are of those over contact time × collision rate:
 /// docs/event_driven.md.
 constexpr double collision_seconds = 1e-5, patch_seconds = 4e-5, patched_share = 6;
@@ -57,11 +58,13 @@ RunEstimate estimate_run(const Input& input, int threads) {
   estimate.contact_time = step.contact.time;
   estimate.collision_rate =
       enskog_rate(estimate.particles / cell.volume() * 4 * radius * radius, std::min(volume_fraction, densest), scene.meeting.speed);
-  const double patched = std::min(1.0, patched_share * estimate.contact_time * estimate.collision_rate);
+  const double busy = estimate.contact_time * estimate.collision_rate;
+  estimate.steps = static_cast<double>(schedule.steps());
+  estimate.seconds =
+      replicas * estimate.particles * estimate.steps * (flying_seconds + std::min(contact_seconds * busy, crowd_seconds)) / threads;
+  const double patched = std::min(1.0, patched_share * busy);
   estimate.hybrid_seconds = replicas * estimate.particles / 2 * estimate.collision_rate * schedule.time_of(schedule.samples) *
                             (collision_seconds + patched * patch_seconds);
-  estimate.steps = static_cast<double>(schedule.steps());
-  estimate.seconds = replicas * estimate.particles * estimate.steps / (particle_steps_per_second * threads);
   estimate.bytes = bytes_of_program + bytes_per_sphere * estimate.particles;
   for (const ParticleFormat format : input.output.formats)
     estimate.file_bytes += replicas * frame_bytes(format) * estimate.particles *
