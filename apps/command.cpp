@@ -28,9 +28,10 @@ Input Options::input(const std::optional<std::string>& file) const {
     throw InputError(fmt::format("{}: [particles] or [cell] make a flow, which this command does not take; allowed: a pair or bodies",
                                  file.value_or("--set")));
   if (!input.flow && flows)
-    throw InputError(fmt::format("{}: [particles] and [cell] are missing, and this command runs flows; allowed: one of the two, or the "
-                                 "command collide for a pair or bodies",
-                                 file.value_or("--set")));
+    throw InputError(
+        fmt::format("{}: [particles] and [cell] are missing, and this command runs flows; allowed: one of the two, or the "
+                    "command collide for a pair or bodies",
+                    file.value_or("--set")));
   return input;
 }
 
@@ -41,9 +42,7 @@ TableStore Options::store() const {
           .progress = progress("building a collision table")};
 }
 
-int Options::cores() const {
-  return threads > 0 ? threads : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-}
+int Options::cores() const { return threads > 0 ? threads : static_cast<int>(std::max(1u, std::thread::hardware_concurrency())); }
 
 void Options::say(const std::string& sentence) const {
   if (!quiet) fmt::print(stderr, "scalebreak: {}\n", sentence);

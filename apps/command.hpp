@@ -69,6 +69,7 @@ void add_invariance(CLI::App& app, Options& options, std::function<void()>& job)
 void add_reproduce(CLI::App& app, Options& options, std::function<void()>& job);
 void add_run(CLI::App& app, Options& options, std::function<void()>& job);
 void add_tradeoff(CLI::App& app, Options& options, std::function<void()>& job);
+void add_breakdown(CLI::App& app, Options& options, std::function<void()>& job);
 void add_compare(CLI::App& app, Options& options, std::function<void()>& job);
 void add_stability(CLI::App& app, Options& options, std::function<void()>& job);
 

@@ -1,6 +1,3 @@
-#include <atomic>
-#include <csignal>
-
 #include <fmt/format.h>
 
 #include <scalebreak/base/error.hpp>
@@ -17,22 +14,12 @@
 #include <scalebreak/scene/toml_reader.hpp>
 
 #include "command.hpp"
+#include "stop.hpp"
 
 namespace scalebreak::apps {
 namespace {
 
 using nlohmann::json;
-
-std::atomic<bool> told_to_stop = false;
-static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler sets it");
-
-/// The first SIGINT or SIGTERM asks for a checkpoint; a second one ends the program at once.
-void stop_on_signals() {
-  struct sigaction action = {};
-  action.sa_handler = [](int) { told_to_stop = true; };
-  action.sa_flags = static_cast<int>(SA_RESETHAND);
-  for (const int signal : {SIGINT, SIGTERM}) sigaction(signal, &action, nullptr);
-}
 
 void refuse_other_engines(const std::string& engine) {
   if (engine != "auto" && engine != "dem" && engine != "event" && engine != "hybrid")
@@ -141,7 +128,7 @@ void run(Options& options) {
                                               .resume = options.resume,
                                               .engine = choice.engine,
                                               .tables = options.store(),
-                                              .stop = [] { return told_to_stop.load(); },
+                                              .stop = told_to_stop,
                                               .progress = bar(options),
                                               .say = [&](const std::string& sentence) { options.say(sentence); }});
   if (!options.out.empty()) {

@@ -1,11 +1,8 @@
 #include <scalebreak/output/plot.hpp>
 
-#include <cstdlib>
-#include <string_view>
-
 #include <fmt/format.h>
 
-#include <scalebreak/output/atomic_file.hpp>
+#include <scalebreak/output/gnuplot.hpp>
 
 namespace scalebreak {
 namespace {
@@ -13,23 +10,6 @@ namespace {
 // Okabe & Ito's colours: told apart by everyone.
 constexpr const char* colours[] = {"#000000", "#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9",
                                    "#8B4513", "#7F7F7F", "#B0A000", "#6A3D9A", "#117733", "#882255"};
-
-/// A text between gnuplot's single quotes, in which no command is run and only the quote itself is special.
-std::string quoted_text(const std::string& text) {
-  std::string out = "'";
-  for (const char c : text) out += c == '\'' ? std::string("''") : std::string(1, c == '\n' ? ' ' : c);
-  return out + "'";
-}
-
-/// The same for a text that is no formula: gnuplot would read "_" as the start of an index.
-std::string plain_text(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    if (std::string_view("_^{}@&~\\").find(c) != std::string_view::npos) out += '\\';
-    out += c;
-  }
-  return quoted_text(out);
-}
 
 std::string curve_text(const Curve& curve) {
   const auto style = static_cast<std::size_t>(curve.style);
@@ -50,10 +30,7 @@ std::string curve_text(const Curve& curve) {
 }
 
 std::string script(const Plot& plot) {
-  std::string text = fmt::format("# gnuplot {}.gp draws {}.svg and {}.png\nset datafile separator ','\nset encoding utf8\n", plot.name,
-                                 plot.name, plot.name);
-  text += fmt::format("set title {}\nset xlabel {}\nset ylabel {}\n", plain_text(plot.title), quoted_text(plot.x_label),
-                      quoted_text(plot.y_label));
+  std::string text = script_head(plot.name, plot.title, plot.x_label, plot.y_label);
   if (plot.log_x) text += "set logscale x\nset format x '%h'\n";
   if (plot.log_y) text += "set logscale y\nset format y '%h'\n";
   if (plot.equal_scale) text += "set size ratio -1\n";
@@ -63,29 +40,11 @@ std::string script(const Plot& plot) {
     if (i > 0) curves += ", \\\n     ";
     curves += curve_text(plot.curves[i]);
   }
-  text += fmt::format("set terminal svg size 900,520 dynamic background rgb 'white' font 'sans,13'\nset output '{}.svg'\nplot {}\n",
-                      plot.name, curves);
-  text += fmt::format("set terminal pngcairo size 1350,780 font 'sans,15'\nset output '{}.png'\nreplot\n", plot.name);
-  return text;
-}
-
-std::string quoted(const std::string& text) {
-  std::string safe = "'";
-  for (const char c : text) safe += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return safe + "'";
+  return text + plot_twice(plot.name, "plot " + curves);
 }
 
 }  // namespace
 
-bool draw(const Plot& plot, const std::filesystem::path& folder) {
-  write_file(folder / (plot.name + ".gp"), script(plot));
-  // A drawing of an earlier run must not pass for this one.
-  for (const char* ending : {".svg", ".png"}) std::filesystem::remove(folder / (plot.name + ending));
-  const std::string command =
-      fmt::format("cd {} && gnuplot {} >/dev/null 2>{}", quoted(folder.string()), quoted(plot.name + ".gp"), quoted(plot.name + ".log"));
-  const bool drawn = std::system(command.c_str()) == 0;
-  if (drawn) std::filesystem::remove(folder / (plot.name + ".log"));
-  return drawn;
-}
+bool draw(const Plot& plot, const std::filesystem::path& folder) { return draw_script(plot.name, script(plot), folder); }
 
 }  // namespace scalebreak

@@ -71,6 +71,11 @@ const std::map<std::string, Bounds, std::less<>>& all_bounds() {
       {"study.step_fractions", {1e-4, 1}},
       {"study.tolerances", {1e-11, 1e-2}},
       {"study.phases", {1, 10000}},
+      {"study.volume_fractions", {0, 0.6, false}},
+      {"study.values", {-1e14, 1e14}},
+      {"study.target_error", {0, 1}},
+      {"study.most_replicas", {1, 1000}},
+      {"study.budget_seconds", {0, 1e8}},
       {"numerics.tolerance", {1e-13, 1e-6}},
       {"numerics.table_tolerance", {1e-7, 1e-2}},
   };

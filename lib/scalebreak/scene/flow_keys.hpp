@@ -1,18 +1,11 @@
 #pragma once
 
-#include <iterator>
 #include <string>
 #include <vector>
 
 #include <scalebreak/scene/keys.hpp>
 
 namespace scalebreak {
-
-/// The words of an enumeration.
-template <std::size_t count>
-[[nodiscard]] std::vector<std::string> words_of(const char* const (&words)[count]) {
-  return {std::begin(words), std::end(words)};
-}
 
 /// Each appends the keys of a section; all but run.duration stand in a flow only.
 void add_particles(std::vector<Key>& list);

@@ -10,6 +10,7 @@
 #include <scalebreak/material/material.hpp>
 #include <scalebreak/scaling/scaled_pair.hpp>
 #include <scalebreak/scene/flow_input.hpp>
+#include <scalebreak/scene/study_input.hpp>
 #include <scalebreak/scene/tradeoff_input.hpp>
 
 namespace scalebreak {
@@ -53,6 +54,7 @@ struct Input {
   std::vector<Integrator> study_integrators = {Integrator::verlet};
   double study_energy_growth = 1e-3;  ///< that a stable step may show per collision of each sphere, relative
   TradeoffInput tradeoff;            ///< of [study] too
+  StudyInput study;                  ///< the same
   double tolerance = 1e-8;
   double table_tolerance = 1e-6;
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,12 @@ template <class T>
 const T& expect(const Value& value) {
   if (const T* held = std::get_if<T>(&value)) return *held;
   throw found(value);
+}
+
+/// The words of an enumeration.
+template <std::size_t count>
+[[nodiscard]] std::vector<std::string> words_of(const char* const (&words)[count]) {
+  return {std::begin(words), std::end(words)};
 }
 
 /// A number, or an array of `least` to `most` numbers or of three coordinates, within the bounds of the key.

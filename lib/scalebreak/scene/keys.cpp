@@ -4,15 +4,10 @@
 
 #include <scalebreak/scene/flow_keys.hpp>
 #include <scalebreak/scene/key_makers.hpp>
+#include <scalebreak/scene/study_keys.hpp>
 
 namespace scalebreak {
 namespace {
-
-std::vector<std::string> law_names() {
-  std::vector<std::string> names;
-  for (const ScalingLaw& law : scaling_laws()) names.emplace_back(law.name);
-  return names;
-}
 
 struct MaterialKey {
   const char *name, *unit, *meaning;
@@ -96,7 +91,7 @@ std::vector<Key> make_keys() {
                          [](Input& input) -> Eigen::Vector3d& { return input.spin2; }));
   add_particles(list);
   add_cell(list);
-  const auto names = law_names();
+  const auto names = scaling_law_names();
   list.push_back(choice(
       "scaling", "law", "scaling law", names, [names](Input& input, std::size_t i) { input.scaling_law = names[i]; },
       [names](const Input& input) {
@@ -111,54 +106,7 @@ std::vector<Key> make_keys() {
       [](const Input& input) { return static_cast<std::size_t>(input.keep); }));
   add_run(list);
   add_output(list);
-  list.push_back(choices(
-      "study", "laws", "scaling laws to compare; empty: all that suit the contact", names, 0, 1000,
-      [names](Input& input, const std::vector<std::size_t>& chosen) {
-        input.study_laws.clear();
-        for (const std::size_t i : chosen) input.study_laws.push_back(names[i]);
-      },
-      [names](const Input& input) {
-        std::vector<std::size_t> chosen;
-        for (const std::string& name : input.study_laws)
-          chosen.push_back(static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin()));
-        return chosen;
-      }));
-  list.push_back(numbers("study", "factors", "-", "factors to compare; each law takes those on its side of 1", 1, 1000,
-                         [](Input& input) -> std::vector<double>& { return input.study_factors; }));
-  list.push_back(numbers("study", "speeds", "m/s", "impact speeds; empty: about the sticking speed", 0, 1000,
-                         [](Input& input) -> std::vector<double>& { return input.study_speeds; }));
-  list.push_back(choices(
-      "study", "integrators", "integrators to compare (stability)", words_of(integrator_words), 1, std::size(integrator_words),
-      [](Input& input, const std::vector<std::size_t>& chosen) {
-        input.study_integrators.clear();
-        for (const std::size_t i : chosen) input.study_integrators.push_back(static_cast<Integrator>(i));
-      },
-      [](const Input& input) {
-        std::vector<std::size_t> chosen;
-        for (const Integrator integrator : input.study_integrators) chosen.push_back(static_cast<std::size_t>(integrator));
-        return chosen;
-      }));
-  list.push_back(number("study", "energy_growth", "-",
-                        "relative growth of energy per collision of each sphere up to which a step counts as stable",
-                        [](Input& input) -> double& { return input.study_energy_growth; }));
-  list.push_back(choices(
-      "study", "methods", "of tradeoff: what is compared; empty: all that suit the scene", words_of(method_words), 0,
-      std::size(method_words),
-      [](Input& input, const std::vector<std::size_t>& chosen) {
-        input.tradeoff.methods.clear();
-        for (const std::size_t i : chosen) input.tradeoff.methods.push_back(static_cast<Method>(i));
-      },
-      [](const Input& input) {
-        std::vector<std::size_t> chosen;
-        for (const Method method : input.tradeoff.methods) chosen.push_back(static_cast<std::size_t>(method));
-        return chosen;
-      }));
-  list.push_back(numbers("study", "step_fractions", "-", "of tradeoff: steps of the soft-sphere engine over the Rayleigh time", 1, 100,
-                         [](Input& input) -> std::vector<double>& { return input.tradeoff.step_fractions; }));
-  list.push_back(numbers("study", "tolerances", "-", "of tradeoff: tolerances of the exact engine", 1, 100,
-                         [](Input& input) -> std::vector<double>& { return input.tradeoff.tolerances; }));
-  list.push_back(whole_number("study", "phases", "of tradeoff: points of a step at which a collision begins",
-                              [](Input& input) -> std::uint64_t& { return input.tradeoff.phases; }));
+  add_study(list);
   list.push_back(number("numerics", "tolerance", "-", "of the restitution and the relative contact time of an exact collision",
                         [](Input& input) -> double& { return input.tolerance; }));
   list.push_back(number("numerics", "table_tolerance", "-", "of a collision table, in e^2 and in relative contact time",

@@ -5,14 +5,7 @@
 #include <scalebreak/ensembles/run/run_estimate.hpp>
 
 namespace scalebreak {
-namespace {
-
-/// What tables of collisions take at most to be made, when they are asked for the first time [s].
-constexpr double tables_seconds = 60;
-
-}  // namespace
-
-EngineChoice choose_engine(const std::string& engine, const Input& input, int threads) {
+EngineChoice choose_engine(const std::string& engine, const Input& input, int threads, double worth) {
   if (engine != "auto") return {engine, "as --engine says"};
   if (find_scaling_law(input.scaling_law)->direct_force) return {"dem", "no collision table describes a law that maps forces"};
   if (input.surface.attraction != Attraction::none) return {"dem", "no collision table describes liquids, which act at a distance"};
@@ -22,8 +15,8 @@ EngineChoice choose_engine(const std::string& engine, const Input& input, int th
   const std::string numbers =
       fmt::format("contact time x collision rate is about {:.2g}; about {:.2g} s by the hybrid, {:.2g} s by soft spheres on {} threads",
                   e.contact_time * e.collision_rate, e.hybrid_seconds, e.seconds, threads);
-  if (e.contact_time > 0 && e.seconds > e.hybrid_seconds + tables_seconds) return {"hybrid", numbers};
-  return {"dem", numbers + fmt::format(", which may be {:g} s later for its tables", tables_seconds)};
+  if (e.contact_time > 0 && e.seconds > e.hybrid_seconds + worth) return {"hybrid", numbers};
+  return {"dem", numbers + (worth > 0 ? fmt::format(", which may be {:g} s later for its tables", worth) : "")};
 }
 
 }  // namespace scalebreak

@@ -1,7 +1,6 @@
 #include <scalebreak/ensembles/run/replica_mean.hpp>
 
-#include <cmath>
-#include <limits>
+#include <scalebreak/statistics/pooled_mean.hpp>
 
 namespace scalebreak {
 namespace {
@@ -9,23 +8,24 @@ namespace {
 /// Of one number in every replica.
 template <class Get>
 Measured mean(const std::vector<FlowResult>& replicas, const Get& get) {
-  constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
-  double sum = 0, squares = 0, count = 0;
-  for (const FlowResult& replica : replicas) {
-    if (const double value = get(replica); std::isfinite(value)) sum += value, count += 1;
-  }
-  const double middle = count > 0 ? sum / count : nothing;
-  for (const FlowResult& replica : replicas) {
-    if (const double value = get(replica); std::isfinite(value)) squares += (value - middle) * (value - middle);
-  }
-  return {middle, count > 1 ? std::sqrt(squares / (count - 1) / count) : nothing};
+  std::vector<Measured> values;
+  for (const FlowResult& replica : replicas) values.push_back(get(replica));
+  return pooled_mean(values);
+}
+
+/// Of one that has no error.
+template <class Get>
+double plain_mean(const std::vector<FlowResult>& replicas, const Get& get) {
+  return mean(replicas, [&](const FlowResult& r) { return Measured{get(r), 0}; }).value;
 }
 
 MeasuredTensor mean_tensor(const std::vector<FlowResult>& replicas, MeasuredTensor FlowResult::*tensor) {
   MeasuredTensor result;
   for (const Eigen::Index i : {0, 1, 2}) {
     for (const Eigen::Index j : {0, 1, 2}) {
-      const Measured entry = mean(replicas, [&](const FlowResult& r) { return (r.*tensor).value(i, j); });
+      const Measured entry = mean(replicas, [&](const FlowResult& r) {
+        return Measured{(r.*tensor).value(i, j), (r.*tensor).error(i, j)};
+      });
       result.value(i, j) = entry.value, result.error(i, j) = entry.error;
     }
   }
@@ -37,17 +37,17 @@ MeasuredTensor mean_tensor(const std::vector<FlowResult>& replicas, MeasuredTens
 FlowResult replica_mean(const std::vector<FlowResult>& replicas) {
   if (replicas.size() == 1) return replicas.front();
   FlowResult result = replicas.front();
-  result.duration = mean(replicas, [](const FlowResult& r) { return r.duration; }).value;
-  result.outside = mean(replicas, [](const FlowResult& r) { return r.outside; }).value;
+  result.duration = plain_mean(replicas, [](const FlowResult& r) { return r.duration; });
+  result.outside = plain_mean(replicas, [](const FlowResult& r) { return r.outside; });
   for (std::size_t k = 0; k < result.quantities.size(); ++k)
-    result.quantities[k].measured = mean(replicas, [&](const FlowResult& r) { return r.quantities[k].measured.value; });
+    result.quantities[k].measured = mean(replicas, [&](const FlowResult& r) { return r.quantities[k].measured; });
   result.stress = mean_tensor(replicas, &FlowResult::stress);
   result.stress_contact = mean_tensor(replicas, &FlowResult::stress_contact);
   for (std::size_t s = 0; s < result.profile.height.size(); ++s)
-    result.profile.height[s] = mean(replicas, [&](const FlowResult& r) { return r.profile.height[s]; }).value;
+    result.profile.height[s] = plain_mean(replicas, [&](const FlowResult& r) { return r.profile.height[s]; });
   for (std::size_t c = 0; c < result.profile.columns.size(); ++c) {
     for (std::size_t s = 0; s < result.profile.columns[c].slabs.size(); ++s)
-      result.profile.columns[c].slabs[s] = mean(replicas, [&](const FlowResult& r) { return r.profile.columns[c].slabs[s].value; });
+      result.profile.columns[c].slabs[s] = mean(replicas, [&](const FlowResult& r) { return r.profile.columns[c].slabs[s]; });
   }
   return result;
 }

@@ -6,8 +6,8 @@
 
 namespace scalebreak {
 
-/// Means over replicas of one flow, with the standard error of the mean from how the replicas differ, NaN where fewer than two have a
-/// value; of a single run its own result. A quantity is a mean over those replicas that have it.
+/// Means over replicas of one flow and their standard errors (pooled_mean.hpp); of a single run its own result. A quantity is a mean over
+/// those replicas that have it.
 [[nodiscard]] FlowResult replica_mean(const std::vector<FlowResult>& replicas);
 
 }  // namespace scalebreak

@@ -1,0 +1,84 @@
+#include <scalebreak/ensembles/breakdown/study_report.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include <scalebreak/ensembles/breakdown/study_files.hpp>
+#include <scalebreak/ensembles/breakdown/study_plots.hpp>
+#include <scalebreak/ensembles/breakdown/study_quantities.hpp>
+#include <scalebreak/ensembles/breakdown/verdicts.hpp>
+#include <scalebreak/ensembles/report/run_json.hpp>
+#include <scalebreak/output/atomic_file.hpp>
+#include <scalebreak/output/html.hpp>
+
+namespace scalebreak {
+namespace {
+
+std::string off(const std::optional<Comparison>& c) {
+  if (!c) return "-";
+  return fmt::format("{} {:+.1f} % ± {:.1f} %", study_quantity(c->name).what, 100 * c->relative.value, 100 * c->relative.error);
+}
+
+void add_cells(HtmlReport& report, const StudyResult& study, const std::string& parameter) {
+  std::vector<std::vector<std::string>> rows;
+  for (std::size_t i = 0; i < study.cells.size(); ++i) {
+    const StudyCell& of = study.grid.cells[i];
+    const CellResult& cell = study.cells[i];
+    const CellVerdict verdict = cell_verdict(cell);
+    rows.push_back({of.law, fmt::format("{:g}", of.factor), of.point.name(parameter), of.choice.engine,
+                    standing_words[static_cast<std::size_t>(verdict.standing)], cell.failed() ? cell.failure : off(verdict.worst),
+                    fmt::format("{}", cell.replicas), fmt::format("{:.0f}", cell.particles), fmt::format("{:.3g}", cell.measured_time),
+                    fmt::format("{:.3g}", cell.wall_seconds),
+                    cell.patch_fraction ? fmt::format("{:.2g}", *cell.patch_fraction) : std::string("-")});
+  }
+  report.table({"law", "factor", "point", "engine", "stands", "off most", "runs", "spheres", "measured [s]", "wall time of a run [s]",
+                "patch fraction"},
+               rows);
+}
+
+std::string how_judged() {
+  return fmt::format(
+      "Each scaled flow is compared with the original at the same point: temperature, rotational energy, collision rate, pressure and shear "
+      "stress with what the law claims of them. A law holds where all of these are within {:g} %, two standard errors included, and is broken "
+      "where one is beyond by two standard errors; between, the errors are too large to tell.",
+      100 * broken_beyond);
+}
+
+}  // namespace
+
+std::vector<std::string> summary(const StudyResult& study, const std::string& parameter) {
+  std::vector<std::string> sentences;
+  for (const LawReach& reach : law_reaches(study)) sentences.push_back(sentence(reach, parameter));
+  return sentences;
+}
+
+std::vector<std::string> write_study(const Input& input, const StudyResult& study, const std::string& title,
+                                     const std::filesystem::path& out) {
+  const std::string& parameter = input.study.parameter;
+  write_file(out / "study.csv", study_csv(study, parameter).text());
+  std::vector<std::string> missing;
+  HtmlReport report("Where scaling laws break: " + title, how_judged());
+  report.paragraph(
+      fmt::format("Modelled: {}.{}", modelled(input), study.complete ? "" : " The study was interrupted: not all runs are there."));
+  report.heading("Where they break");
+  for (const std::string& each : summary(study, parameter)) report.paragraph(each + ".");
+  report.heading("Maps");
+  for (const MapPlot& map : deviation_maps(study, parameter, title)) {
+    if (!draw(map, out)) missing.push_back(map.name);
+    report.figure(out / (map.name + ".svg"), map.title + ": deviation from what the law claims, with its standard error.");
+  }
+  report.heading("Curves");
+  for (const Plot& plot : study_plots(study, parameter, title)) {
+    if (!draw(plot, out)) missing.push_back(plot.name);
+    report.figure(out / (plot.name + ".svg"), plot.title + ", with standard errors.");
+  }
+  report.heading("Cells");
+  add_cells(report, study, parameter);
+  report.paragraph("All numbers are in study.csv, one row for each quantity of each cell.");
+  write_file(out / "index.html", report.text());
+  return missing;
+}
+
+}  // namespace scalebreak

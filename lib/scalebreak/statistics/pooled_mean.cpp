@@ -1,0 +1,36 @@
+#include <scalebreak/statistics/pooled_mean.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+
+#include <boost/math/distributions/fisher_f.hpp>
+
+namespace scalebreak {
+namespace {
+
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+constexpr double alike_unless = 0.01;  ///< how seldom runs that are alike are taken for runs that are not
+
+}  // namespace
+
+Measured pooled_mean(const std::vector<Measured>& runs) {
+  std::vector<Measured> known;
+  std::copy_if(runs.begin(), runs.end(), std::back_inserter(known), [](const Measured& run) { return std::isfinite(run.value); });
+  if (known.empty()) return {nothing, nothing};
+  if (known.size() == 1) return known.front();
+  const auto n = static_cast<double>(known.size());
+  double sum = 0, squares = 0, own = 0;
+  for (const Measured& run : known) sum += run.value, own += run.error * run.error;
+  const double mean = sum / n;
+  for (const Measured& run : known) squares += (run.value - mean) * (run.value - mean);
+  const double among = squares / (n - 1), within = own / n;
+  const double own_freedom = n * (independent_stretches_needed - 1);
+  if (!(within > 0)) return {mean, std::sqrt(among / n)};
+  const boost::math::fisher_f alike(n - 1, own_freedom);
+  if (among / within > boost::math::quantile(complement(alike, alike_unless))) return {mean, std::sqrt(among / n)};
+  return {mean, std::sqrt(((n - 1) * among + own_freedom * within) / (n - 1 + own_freedom) / n)};
+}
+
+}  // namespace scalebreak
