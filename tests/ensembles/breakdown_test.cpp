@@ -104,16 +104,16 @@ TEST(Study, GivesTheSameNumbersOnAnyNumberOfThreadsAndAfterAnInterruption) {
   const TemporaryFolder one, two, cut;
   const Input input = resolved(small_study, {"run.replicas=2"});
   const std::string numbers = numbers_of(study_of(input, one, 1));
-  EXPECT_EQ(numbers_of(study_of(input, two, 2)), numbers);
+  EXPECT_TRUE(numbers_of(study_of(input, two, 2)) == numbers);
   StudyOptions options = options_of(cut, 1);
-  options.stop = stop_after(25);
+  options.stop = stop_after(1000);
   const StudyResult part = run_study(input, study_grid(input), options);
   EXPECT_FALSE(part.complete);
   std::size_t kept = 0;
   for (const auto& [name, content] : files_of(cut / "out")) kept += name.find("replica") != std::string::npos;
   EXPECT_GT(kept, 0u);
   EXPECT_LT(kept, 12u);
-  EXPECT_EQ(numbers_of(study_of(input, cut, 1)), numbers);
+  EXPECT_TRUE(numbers_of(study_of(input, cut, 1)) == numbers);
 }
 
 TEST(Study, RunsNoFinishedCellAgain) {

@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <cstdlib>
+#include <mutex>
 
 #include <fmt/format.h>
 
@@ -24,9 +25,11 @@ std::filesystem::path default_table_folder() {
 
 namespace {
 
-/// Reads what is kept, or builds and keeps it.
+/// Reads what is kept, or builds and keeps it. One thread at a time: a table is two files, and what all want is built once, by all cores.
 template <class Stored, class Read, class Build, class Write>
 Stored obtain(const std::string& name, const TableStore& store, bool rebuild, const Read& read, const Build& build, const Write& write) {
+  static std::mutex one_at_a_time;
+  const std::lock_guard lock(one_at_a_time);
   if (!rebuild) {
     auto found = read();
     if (found.table) return {.table = std::move(*found.table)};
