@@ -57,7 +57,7 @@ class Dem::Engine {
     std::uint32_t deferred_count = 0;
     dem::LawRows rows, wall_rows;  ///< its own, where each contact has a row
     double fastest_squared = 0, resting_fastest_squared = 0;
-    double normal_flux = 0;  ///< Σ m v_z², velocities of the forces' instant [J]
+    double normal_flux = 0;          ///< Σ m v_z², velocities of the forces' instant [J]
     std::vector<std::uint32_t> met;  ///< spheres of others that have begun a contact in this step
     dem::Tally tally;
     std::exception_ptr failure;

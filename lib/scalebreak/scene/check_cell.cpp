@@ -68,7 +68,7 @@ void check_drive(const Input& input, const Given& given) {
   if (cell.wall_no_slip && std::find(cell.boundary.begin(), cell.boundary.end(), Boundary::wall) == cell.boundary.end())
     throw InputError(fmt::format("{}cell.wall_no_slip = true needs walls, found {}; allowed: false", place(given, {"cell.wall_no_slip"}),
                                  words_of(cell.boundary)));
-  if (cell.kind == CellKind::confined_shear && cell.pressure == 0)
+  if (cell.kind == CellKind::confined_shear && cell.pressure == 0 && find_given(given, "cell.pressure"))
     throw InputError(fmt::format("{}cell.pressure: found 0 beside cell.kind = \"confined_shear\"; allowed: above 0, or kind = \"shear\"",
                                  place(given, {"cell.pressure"})));
   if (cell.kind != CellKind::confined_shear && cell.pressure != 0)
@@ -86,6 +86,15 @@ void check_drive(const Input& input, const Given& given) {
                                  place(given, {"particles.speed"})));
 }
 
+/// Homogeneous shear under a pressure has no default of either.
+void check_confined_is_whole(const CellInput& cell, const Given& given) {
+  if (cell.kind != CellKind::confined_shear) return;
+  for (const char* key : {"cell.pressure", "cell.shear_rate"}) {
+    if (!find_given(given, key))
+      throw InputError(fmt::format("{} is missing; cell.kind = \"confined_shear\" needs pressure and shear_rate", key));
+  }
+}
+
 /// Of a pair of keys that say the same thing, at most one counts.
 void check_exclusive(double duration, double strain, const std::string& first, const std::string& other, double rate, const Given& given) {
   if (duration > 0 && strain > 0)
@@ -101,6 +110,7 @@ void complete_and_check_cell(Input& input, const Given& given) {
   complete_cell(input.cell, given);
   check_boundary(input.cell, given);
   check_drive(input, given);
+  check_confined_is_whole(input.cell, given);
 }
 
 void check_room(const Input& input, const Given& given) {

@@ -154,12 +154,6 @@ void check_flow_is_whole(const Input& input, const Given& given) {
       throw InputError(
           fmt::format("{}: {} cannot stand beside [particles] or [cell]: a flow is no pair and no few bodies", item.where.text, item.key));
   }
-  if (input.cell.kind == CellKind::confined_shear) {
-    for (const char* key : {"cell.pressure", "cell.shear_rate"}) {
-      if (!find_given(given, key))
-        throw InputError(fmt::format("{} is missing; cell.kind = \"confined_shear\" needs pressure and shear_rate", key));
-    }
-  }
   if (input.particles.size != SizeKind::bidisperse) return;
   for (const char* key : {"particles.large_radius", "particles.large_mass_fraction"}) {
     if (!find_given(given, key))

@@ -77,7 +77,8 @@ void add_cell(std::vector<Key>& list) {
   add.number("wall_speed", "m/s", "the walls along z move at plus and minus this along x", &CellInput::wall_speed);
   list.push_back(flag("cell", "wall_no_slip", "a sphere loses its spin when it touches a wall",
                       [](Input& input) -> bool& { return input.cell.wall_no_slip; }));
-  add.number("pressure", "Pa", "normal stress across the gradient that the height of the cell follows (confined_shear); 0 elsewhere", &CellInput::pressure);
+  add.number("pressure", "Pa", "normal stress across the gradient that the height of the cell follows (confined_shear); 0 elsewhere",
+             &CellInput::pressure);
   add.vector("gravity", "m/s2", "acceleration of a free sphere", &CellInput::gravity);
 }
 

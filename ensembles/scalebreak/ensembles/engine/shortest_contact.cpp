@@ -65,8 +65,7 @@ ShortestContact contact_between(const Input& input, const Meeting& who, const Me
 
 }  // namespace
 
-MeetingSpeed fastest_meeting(const CellInput& cell, const Eigen::Vector3d& size, double largest_radius, double speed,
-                             double density) {
+MeetingSpeed fastest_meeting(const CellInput& cell, const Eigen::Vector3d& size, double largest_radius, double speed, double density) {
   const MeetingSpeed all[] = {{"speed at the start", speed},
                               {"shear rate x diameter", mean_shear_rate(cell, size.z()) * 2 * largest_radius},
                               {"wall speed", cell.wall_speed},

@@ -11,7 +11,8 @@ namespace scalebreak {
 
 /// A speed at which spheres of a flow meet, and what makes them.
 struct MeetingSpeed {
-  std::string of;    ///< "speed at the start", "shear rate x diameter", "wall speed", "fall through the cell", "pressure"; empty: nothing moves
+  std::string
+      of;  ///< "speed at the start", "shear rate x diameter", "wall speed", "fall through the cell", "pressure"; empty: nothing moves
   double speed = 0;  ///< [m/s]
 };
 

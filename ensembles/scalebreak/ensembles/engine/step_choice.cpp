@@ -57,10 +57,10 @@ StepChoice choose_step(const Input& input, const StepScene& scene, const TableSt
   choice.step = bounded ? bound.step : choice.asked;
   choice.limit = bounded ? bound.name : "step_fraction";
   if (beyond)
-    choice.warning = fmt::format(
-        "run.step_fraction = {:g} of the Rayleigh time is a step of {:.3g} s, beyond the bound of the {}, {:.3g} s, {}",
-        input.run.step_fraction, choice.asked, bound.name, bound.step,
-        bounded ? "which is taken instead" : "and is taken all the same, as run.step_bounds = false has it");
+    choice.warning =
+        fmt::format("run.step_fraction = {:g} of the Rayleigh time is a step of {:.3g} s, beyond the bound of the {}, {:.3g} s, {}",
+                    input.run.step_fraction, choice.asked, bound.name, bound.step,
+                    bounded ? "which is taken instead" : "and is taken all the same, as run.step_bounds = false has it");
   return choice;
 }
 

@@ -25,8 +25,7 @@ ProfileColumn column(const Blocks& blocks, std::string name, std::string unit, c
 
 }  // namespace
 
-FlowProfile evaluate_profile(const Blocks& blocks, const Eigen::ArrayXd& run, const VelocityProfile& profile,
-                             double shear_rate) {
+FlowProfile evaluate_profile(const Blocks& blocks, const Eigen::ArrayXd& run, const VelocityProfile& profile, double shear_rate) {
   FlowProfile result;
   const auto slabs = static_cast<double>(slab_count(run));
   const double gap = run[flow_entry::gap] / run[flow_entry::duration], thickness = gap / slabs;
