@@ -97,6 +97,44 @@ TEST(ConfinedShear, SavedGoesOnBitForBit) {
   }
 }
 
+/// Contacts see the affine motion too: forces are those of the same spheres with it among their velocities, in a cell that keeps its height.
+TEST(ConfinedShear, ShowsContactsTheMotionOfTheHeight) {
+  for (const double pressure : {1.0, 1e5}) {
+    DemSetup setup = pressed(test::rough(1e7, 0.3, 0.02, 0.5e-3), pressure);
+    setup.integrator = Integrator::synchronized;
+    Dem dem(test::filled(300, 0.5, {0.5e-3}, 0.3, 100), setup);
+    dem.advance(400);
+    const double before = dem.system().cell.size.z();
+    dem.advance(1);
+    const System state = dem.system();
+    const double height = state.cell.size.z(), rate = (height - before) / setup.step / height;
+    System with = state;
+    for (std::size_t i = 0; i < with.count(); ++i) with.velocity[i].z() += rate * with.position[i].z();
+    setup.pressure = 0;
+    const auto told = dem.contact_forces(), seen = Dem(with, setup).contact_forces(), unseen = Dem(state, setup).contact_forces();
+    ASSERT_EQ(told.size(), seen.size());
+    double apart = 0, effect = 0;
+    std::size_t compared = 0;
+    for (const ContactForce& one : told) {
+      const Eigen::Vector3d between =
+          state.position[static_cast<std::size_t>(one.second)] - state.position[static_cast<std::size_t>(one.first)];
+      if (std::abs(between.z()) > height / 2) continue;  // across the faces, where the other cell's images do not rise
+      const auto of = [&](const std::vector<ContactForce>& forces) -> Eigen::Vector3d {
+        for (const ContactForce& other : forces) {
+          if (other.first == one.first && other.second == one.second) return other.force;
+          if (other.first == one.second && other.second == one.first) return -other.force;
+        }
+        ADD_FAILURE() << "no contact of " << one.first << " and " << one.second;
+        return {};
+      };
+      ++compared;
+      apart += (one.force - of(seen)).squaredNorm(), effect += (of(seen) - of(unseen)).squaredNorm();
+    }
+    EXPECT_GT(compared, 20u);
+    EXPECT_LT(std::sqrt(apart), 0.05 * std::sqrt(effect)) << pressure;
+  }
+}
+
 /// Where the faces of the cell lie is no physics: all moved up by half the height goes the same way.
 TEST(ConfinedShear, KnowsNoPlaceOfTheFaces) {
   const System start = test::filled(200, 0.45, {0.5e-3}, 0.2, 100);

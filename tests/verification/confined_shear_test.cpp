@@ -23,12 +23,19 @@ Measured of(const FlowResult& result, const std::string& name) {
 
 Measured stress(const FlowResult& result, int i, int j) { return {result.stress.value(i, j), result.stress.error(i, j)}; }
 
+/// The mean of what is kept: within three of its errors, where neighbours do not cancel so that there is none, and a fluctuation of the
+/// volume by which it is weighted.
+void expect_pressure(const Measured& normal, double wanted) {
+  EXPECT_LT(std::abs(normal.value - wanted), (std::isfinite(normal.error) ? 3 * normal.error : 0.0) + 1e-3 * wanted);
+  EXPECT_NEAR(normal.value, wanted, 0.01 * wanted);
+}
+
 /// Elastic spheres that are not sheared come to the pressure and the volume fraction of hard spheres, P = n m T Z(φ) with Carnahan and
 /// Starling's Z.
 TEST(ConfinedGas, ObeysTheEquationOfState) {
   const System start = test::filled(1000, 0.35, {0.5e-3}, 0.1);
   DemSetup setup = test::smooth(1e9, 1, 0.2, 0.5e-3);
-  setup.pressure = 20;  // of the start it is 8: the gas is compressed
+  setup.pressure = 60;  // of the start it is about 15: the gas is compressed, and becomes hotter
   Dem dem(start, setup);
   dem.advance(60'000);
   double pressure = 0, expected = 0, fraction = 0;
@@ -60,12 +67,12 @@ surface_energy = 0
 [contact]
 normal = "hertz"
 [particles]
-count = 800
+count = 500
 [cell]
 shear_rate = 200
 [run]
 warmup_strain = 20
-strain = 200
+strain = 130
 [output]
 formats = []
 )";
@@ -75,8 +82,8 @@ TEST(ConfinedShear, IsTheFlowAtConstantVolume) {
   const FlowResult confined =
       run_flow(tests::resolved(inelastic, {"cell.kind=confined_shear", "cell.pressure=1000", "particles.volume_fraction=0.4"}), {})
           .measured;
-  const Measured pressure = stress(confined, 2, 2), fraction = of(confined, "volume_fraction");
-  EXPECT_LT(std::abs(pressure.value - 1000), 3 * pressure.error + 1e-3 * 1000);
+  const Measured fraction = of(confined, "volume_fraction");
+  expect_pressure(stress(confined, 2, 2), 1000);
   ASSERT_LT(fraction.error, 2e-3);
 
   const auto at = [&](double volume_fraction) {
@@ -87,7 +94,8 @@ TEST(ConfinedShear, IsTheFlowAtConstantVolume) {
   for (const auto& [i, j] : {std::pair(2, 2), std::pair(0, 2), std::pair(0, 0)}) {
     const Measured one = stress(confined, i, j), other = stress(kept, i, j);
     const double slope = (stress(denser, i, j).value - other.value) / 0.01;  // by which an error of the volume fraction counts
-    const double error = std::hypot(one.error, other.error, slope * fraction.error);
+    const double own = std::isfinite(one.error) ? one.error : 0;             // of what is kept there may be none
+    const double error = std::hypot(own, other.error, slope * fraction.error);
     EXPECT_LT(std::abs(one.value - other.value), 3 * error) << i << j;
     EXPECT_LT(error, 0.03 * std::abs(one.value)) << i << j;
   }
@@ -127,9 +135,7 @@ strain = 8
 formats = []
 )");
   const FlowResult result = run_flow(input, {}).measured;
-  const Measured normal = stress(result, 2, 2);
-  EXPECT_LT(std::abs(normal.value - 1000), 3 * normal.error);
-  EXPECT_LT(normal.error, 10);
+  expect_pressure(stress(result, 2, 2), 1000);
   EXPECT_NEAR(-stress(result, 0, 2).value / of(result, "pressure").value, 0.384, 0.02);
   EXPECT_NEAR(of(result, "volume_fraction").value, 0.587, 0.01);
 }
