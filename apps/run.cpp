@@ -119,6 +119,7 @@ void run(Options& options) {
   const std::string asked = options.engine;
   const Input input = options.resume ? input_to_go_on_with(options) : options.input();
   const EngineChoice choice = engine_choice(options, asked, input);
+  if (flies(choice.engine)) refuse_height_that_follows(input);
   if (choice.engine == "event") refuse_laws_without_tables(input);
   if (flies(choice.engine)) refuse_sizes_without_tables(input);
   stop_on_signals();

@@ -130,6 +130,13 @@ TEST_F(RunCommand, RefusesInOneSentence) {
       refused({"run", "--engine", "hybrid", "--set", "particles.size=lognormal", "--set", "particles.size_spread=0.1"}),
       "scalebreak: particles.size: found spheres of more than 8 radii; allowed in an event-driven run: \"mono\" or \"bidisperse\", or --engine "
       "dem, which integrates every contact\n");
+  const std::string confined = scene("confined.toml", "[cell]\nkind = \"confined_shear\"\nshear_rate = 40\npressure = 100\n");
+  for (const char* engine : {"event", "hybrid"})
+    EXPECT_EQ(
+        refused({"run", confined, "--engine", engine}),
+        "scalebreak: cell.kind: found \"confined_shear\", whose height follows the stress of every step, which collisions as instants do "
+        "not have; allowed in an event-driven or hybrid run: \"shear\", \"couette\", \"cooling\" or \"box\", or --engine dem, which "
+        "integrates every contact\n");
   EXPECT_EQ(refused({"run", "--resume"}), "scalebreak: --resume: --out is missing; allowed: --out with the folder of an unfinished run\n");
   EXPECT_EQ(refused({"run", "--resume", "--out", out}),
             "scalebreak: --resume: " + out + " holds no checkpoint.bin; allowed: --out with the folder of an unfinished run\n");
@@ -157,6 +164,8 @@ TEST_F(RunCommand, CheckEstimatesAndWritesNothing) {
   EXPECT_TRUE(resolved(result.out) == resolved(small_shear));
   EXPECT_FALSE(std::filesystem::exists(out));
   EXPECT_THAT(run({"run", "--check"}).out, HasSubstr("kind = \"shear\""));
+  const std::string confined = scene("confined.toml", "[cell]\nkind = \"confined_shear\"\nshear_rate = 40\npressure = 100\n");
+  EXPECT_THAT(run({"run", confined, "--check"}).out, HasSubstr("# estimate: engine dem, 2000 spheres, "));
 }
 
 /// Soft spheres without adhesion, sheared long enough for errors.

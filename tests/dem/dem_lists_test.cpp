@@ -65,6 +65,14 @@ TEST(NearPairs, MissNoContactUnderShear) {
   expect_every_contact(test::filled(400, 0.45, {0.5e-3}, 0.1, 200), test::rough(1e7, 0.7, 0.15, 0.5e-3), 60, 53);
 }
 
+TEST(NearPairs, MissNoContactAsTheHeightFallsAndRises) {
+  for (const double pressure : {5.0, 5e3}) {
+    DemSetup setup = test::rough(1e7, 0.7, 0.15, 0.5e-3);
+    setup.pressure = pressure;
+    expect_every_contact(test::filled(400, 0.45, {0.5e-3}, 0.2, 200), setup, 60, 53);
+  }
+}
+
 TEST(NearPairs, MissNoContactOfSpheresTenTimesLarger) {
   std::vector<double> radii(200, 0.1e-3);
   radii[0] = radii[100] = 1e-3;

@@ -36,6 +36,20 @@ TEST_F(RunFlow, GivesTheSameNumbersAndFilesWhereverItIsInterrupted) {
   }
 }
 
+TEST_F(RunFlow, AHeightThatFollowsThePressureGoesOnBitForBit) {
+  input = resolved(small_shear, {"cell.kind=confined_shear", "cell.pressure=100", "cell.shear_rate=40"});
+  const RunOutcome whole = run_into("whole", input);
+  EXPECT_GT(std::abs(value_of(whole.measured, "volume_fraction") - 0.3), 1e-3);
+  for (const int samples : {1, 7}) {
+    const std::string name = "stopped_" + std::to_string(samples);
+    EXPECT_THROW((void)run_flow(input, {.out = folder / name, .stop = stop_after(samples)}), RunInterrupted);
+    const RunOutcome resumed = run_flow(input, {.out = folder / name, .resume = true});
+    remove_checkpoint(folder / name);
+    EXPECT_EQ(flow_json(resumed.measured), flow_json(whole.measured)) << samples;
+    EXPECT_EQ(files_of(folder / name), files_of(folder / "whole")) << samples;
+  }
+}
+
 TEST_F(RunFlow, CheckpointsChangeNothing) {
   const RunOutcome whole = run_into("whole", input);
   input.output.checkpoint_interval = 1e-6;

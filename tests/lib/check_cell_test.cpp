@@ -34,9 +34,28 @@ TEST(CheckCell, BoundariesDriveAndRunFollowFromTheKind) {
   EXPECT_EQ(box.run.warmup_strain, 0);
 }
 
-TEST(CheckCell, ConfinedShearIsNotThereYet) {
+TEST(CheckCell, ConfinedShearHasAPressureAndARate) {
+  const Input input = resolved(cell("confined_shear", "pressure = 100\nshear_rate = 5\n"));
+  EXPECT_EQ(input.cell.pressure, 100);
+  EXPECT_EQ(input.cell.shear_rate, 5);
+  EXPECT_EQ(input.run.strain, 4);
+  EXPECT_EQ(sentence_for(cell("confined_shear", "shear_rate = 5\n")),
+            "cell.pressure is missing; cell.kind = \"confined_shear\" needs pressure and shear_rate");
   EXPECT_EQ(sentence_for(cell("confined_shear", "pressure = 100\n")),
-            "scene.toml, line 2: cell.kind = \"confined_shear\" is not there yet; allowed: \"shear\", \"couette\", \"cooling\" or \"box\"");
+            "cell.shear_rate is missing; cell.kind = \"confined_shear\" needs pressure and shear_rate");
+  EXPECT_EQ(sentence_for(cell("confined_shear", "pressure = 0\nshear_rate = 5\n")),
+            "scene.toml, line 3: cell.pressure: found 0 beside cell.kind = \"confined_shear\"; allowed: above 0, or kind = \"shear\"");
+  EXPECT_EQ(sentence_for(cell("confined_shear", "pressure = 100\nshear_rate = 0\n")),
+            "scene.toml, line 4: cell.shear_rate: found 0 beside cell.kind = \"confined_shear\"; allowed: above 0");
+  EXPECT_EQ(sentence_for(cell("confined_shear", "pressure = -1\nshear_rate = 5\n")),
+            "scene.toml, line 3: cell.pressure: found -1; allowed: a number of at least 0 and at most 1e+12");
+  EXPECT_EQ(sentence_for(cell("confined_shear", "pressure = 100\nshear_rate = 5\nboundary = [\"periodic\", \"periodic\", \"wall\"]\n")),
+            "scene.toml, line 5: cell.boundary: found [\"periodic\", \"periodic\", \"wall\"] beside cell.kind = \"confined_shear\"; "
+            "allowed: [\"periodic\", \"periodic\", \"periodic\"]");
+  EXPECT_THAT(sentence_for(cell("confined_shear", "pressure = 100\nshear_rate = 5\ngravity = [0, 0, -9.81]\n")),
+              HasSubstr("found -9.81 m/s2 along z, which is periodic"));
+  EXPECT_THAT(sentence_for(cell("confined_shear", "pressure = 100\nshear_rate = 5\n[particles]\ncount = 8\nvolume_fraction = 0.1\n")),
+              HasSubstr("once the pressure has brought it to a volume fraction of 0.64, which is less than two diameters"));
   EXPECT_EQ(sentence_for(cell("shear", "pressure = 100\n")),
             "scene.toml, line 3: cell.pressure = 100 needs cell.kind = \"confined_shear\", found \"shear\"; allowed: 0");
 }
@@ -59,11 +78,12 @@ TEST(CheckCell, ShearAcrossImagesHasPeriodicFacesAllAround) {
 }
 
 TEST(CheckCell, WhatDrivesAFlowSuitsIt) {
-  EXPECT_EQ(sentence_for(cell("couette", "shear_rate = 40\n")),
-            "scene.toml, line 3: cell.shear_rate = 40 needs cell.kind = \"shear\", found \"couette\"; allowed: 0, the walls move at "
-            "cell.wall_speed");
+  EXPECT_EQ(
+      sentence_for(cell("couette", "shear_rate = 40\n")),
+      "scene.toml, line 3: cell.shear_rate = 40 needs cell.kind = \"shear\" or \"confined_shear\", found \"couette\"; allowed: 0, the walls move at "
+      "cell.wall_speed");
   EXPECT_EQ(sentence_for(cell("cooling", "shear_rate = 40\n")),
-            "scene.toml, line 3: cell.shear_rate = 40 needs cell.kind = \"shear\", found \"cooling\"; allowed: 0");
+            "scene.toml, line 3: cell.shear_rate = 40 needs cell.kind = \"shear\" or \"confined_shear\", found \"cooling\"; allowed: 0");
   EXPECT_EQ(sentence_for(cell("shear", "shear_rate = 0\n")),
             "scene.toml, line 3: cell.shear_rate: found 0 beside cell.kind = \"shear\"; allowed: above 0, or kind = \"cooling\"");
   EXPECT_EQ(sentence_for(cell("shear", "wall_speed = 2\n")),

@@ -348,7 +348,7 @@ struct InputFuzz : testing::Test {
 };
 
 TEST_F(InputFuzz, DamagedFilesAndSettingsAreRefusedOrKeepEveryPromise) {
-  for (std::uint64_t i = 0; i < 48'000 && !HasFailure(); ++i) {
+  for (std::uint64_t i = 0; i < 52'000 && !HasFailure(); ++i) {
     Random random(i);
     const std::string text = mutant(any_of(random, seeds), random, seeds);
     const std::vector<std::string> settings = below(random, 3) == 0 ? odd_settings(random) : std::vector<std::string>{};

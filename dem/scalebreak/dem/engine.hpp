@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <scalebreak/dem/dem.hpp>
+#include <scalebreak/dem/height.hpp>
 #include <scalebreak/dem/law_rows.hpp>
 #include <scalebreak/dem/lists/grid.hpp>
 #include <scalebreak/dem/lists/images.hpp>
@@ -56,6 +57,7 @@ class Dem::Engine {
     std::uint32_t deferred_count = 0;
     dem::LawRows rows, wall_rows;  ///< its own, where each contact has a row
     double fastest_squared = 0, resting_fastest_squared = 0;
+    double normal_flux = 0;          ///< Σ m v_z², velocities of the forces' instant [J]
     std::vector<std::uint32_t> met;  ///< spheres of others that have begun a contact in this step
     dem::Tally tally;
     std::exception_ptr failure;
@@ -86,6 +88,14 @@ class Dem::Engine {
   /// A sphere that is near none, from the last lists to now: so many steps of velocity Verlet without a force.
   void fly(dem::Quad& position, dem::Quad& velocity) const;
   void bring_up_resting(Worker& worker);
+  // engine_height.cpp
+  void set_up_height(const System& start);
+  /// Places and velocities of the worker's own spheres: from the height of the cell onto the next.
+  void map_onto_height(Worker& worker);
+  void stretch_cell();
+  void sum_normal_flux(Worker& worker);
+  /// The next height, by the stress of this step.
+  void push_height();
   // engine_step.cpp
   void move(Worker& worker);
   void plan_lists();
@@ -119,7 +129,8 @@ class Dem::Engine {
   [[nodiscard]] bool has_rolls() const { return rows_.mapped().laws.rolling.acts() && !rows_.mapped().laws.rolling.rigid(); }
   [[nodiscard]] double largest_reach() const;
   [[nodiscard]] double travel_of(double fastest_squared) const;
-  [[nodiscard]] Cell cell_now() const { return advanced(cell_, setup_.step * static_cast<double>(steps_)); }
+  [[nodiscard]] Cell cell_now() const { return height_.follows() ? cell_ : advanced(cell_, setup_.step * static_cast<double>(steps_)); }
+  [[nodiscard]] double image_offset() const;
   // engine_state.cpp
   [[nodiscard]] std::vector<ContactMemory> contact_memories() const;  ///< histories as they are kept
   [[nodiscard]] std::int32_t second_of(const dem::Contact& contact, const dem::WallView* wall) const;
@@ -130,7 +141,7 @@ class Dem::Engine {
   void archive_body(Archive& archive);
 
   DemSetup setup_;
-  Cell cell_;  ///< at the start
+  Cell cell_;  ///< at the start; with a height that follows, at the last step
   double start_time_ = 0;
   bool turns_ = false;
   bool each_ = false;  ///< has each contact laws of its own?
@@ -146,7 +157,10 @@ class Dem::Engine {
   std::vector<std::uint8_t> pushed_;  ///< is it on the list of those who may bear a force?
   std::optional<dem::Grid> grid_;
   dem::Images images_;
-  double grid_offset_ = 0;  ///< of the image above when the grid was made [m]
+  double grid_offset_ = 0;  ///< of the image above when the grid was made; with a height that follows, at the last step [m]
+  dem::Height height_;
+  double stretch_ = 1;       ///< by which the height changes in the next step
+  double stretch_rate_ = 0;  ///< of the height, as the forces of the last step saw it [1/s]
   dem::Skins skins_;
   double fastest_squared_ = 0;
   double travel_ = 0, travel_of_grid_ = 0;  ///< by which a gap can have closed since the last lists [m]

@@ -16,7 +16,7 @@ using namespace dem;
 
 namespace {
 
-constexpr std::uint64_t format = 0x73626465'6d303032;  // "sbdem002"
+constexpr std::uint64_t format = 0x73626465'6d303033;  // "sbdem003"
 
 /// Appends.
 struct Writer {
@@ -70,7 +70,8 @@ void put_pairs(Archive& archive, Pairs& pairs) {
 template <class Archive>
 void Dem::Engine::archive_head(Archive& archive) {
   for (double* value : {&start_time_, &smallest_, &largest_, &volume_fraction_, &flow_rate_, &grid_offset_, &fastest_squared_, &travel_,
-                        &travel_of_grid_, &skins_.neighbours, &skins_.near, &cell_.shear_rate, &cell_.shear_offset, &cell_.wall_speed})
+                        &travel_of_grid_, &skins_.neighbours, &skins_.near, &cell_.shear_rate, &cell_.shear_offset, &cell_.wall_speed,
+                        &height_.pressure, &height_.inertia, &height_.speed, &stretch_, &stretch_rate_})
     archive.one(*value);
   for (const int axis : {0, 1, 2}) archive.one(cell_.size[axis]), archive.one(cell_.boundary[static_cast<std::size_t>(axis)]);
   archive.one(turns_), archive.one(each_), archive.list(kinds_), archive.list(material_);
@@ -118,8 +119,7 @@ Dem::Engine::Engine(std::string_view saved, const DemSetup& setup) : kernel_(dem
   make_rows();
   make_workers();
   archive_body(reader);
-  const Cell cell = cell_now();
-  images_ = Images(cell, grid_offset_ + cell_.shear_rate * cell_.size.z() * setup_.step * static_cast<double>(steps_ - steps_at_grid_));
+  images_ = Images(cell_now(), image_offset());
   pushed_.resize(spheres_.count());
   for (Worker& worker : workers_) {
     reopen_rows(worker);

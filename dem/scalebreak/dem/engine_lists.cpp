@@ -176,7 +176,10 @@ void Dem::Engine::reopen_rows(Worker& worker) {
 // Spheres that are near none fly on their own until the lists are made anew. Who is near whom is told across threads: all have to
 // clear before any marks, and to mark before any collects.
 
-void Dem::Engine::clear_marks(Worker& worker) { std::fill(moves_.begin() + worker.begin, moves_.begin() + worker.end, std::uint8_t{0}); }
+void Dem::Engine::clear_marks(Worker& worker) {
+  const std::uint8_t mark = height_.follows() ? 1 : 0;  // then all of them go with the height at every step
+  std::fill(moves_.begin() + worker.begin, moves_.begin() + worker.end, mark);
+}
 
 void Dem::Engine::mark_movers(const Worker& worker) {
   const auto mark = [&](std::uint32_t sphere) { std::atomic_ref(moves_[sphere]).store(1, std::memory_order_relaxed); };

@@ -45,9 +45,13 @@ Dem::Engine::Engine(const System& start, const DemSetup& setup)
   for (Worker& worker : workers_) add_forces(worker, {0, history_steps().after});
   rethrow();
   for (Worker& worker : workers_) fetch_deferred(worker);
+  for (std::uint32_t i = 0; i < spheres_.count(); ++i) kick(i, -0.5);
+  if (height_.follows()) {
+    for (Worker& worker : workers_) sum_normal_flux(worker);
+    push_height();
+  }
   for (Worker& worker : workers_) worker.tally.touches = worker.tally.wall_power = 0;
   take_tallies();
-  for (std::uint32_t i = 0; i < spheres_.count(); ++i) kick(i, -0.5);
 }
 
 void Dem::Engine::set_up(const System& start) {
@@ -65,6 +69,7 @@ void Dem::Engine::set_up(const System& start) {
     solid += 4.0 / 3 * std::numbers::pi * radius * radius * radius;
   }
   volume_fraction_ = solid / cell_.volume();
+  set_up_height(start);
   if (!cell_.walled(0)) flow_rate_ = cell_.shear_rate != 0 ? cell_.shear_rate : cell_.walled(2) ? 2 * cell_.wall_speed / cell_.size.z() : 0;
 }
 

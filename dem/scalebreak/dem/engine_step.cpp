@@ -41,6 +41,7 @@ void Dem::Engine::advance(long steps) {
     Worker& worker = workers_[static_cast<std::size_t>(omp_get_thread_num())];
     for (long step = 0; step < steps && !failed_; ++step) {
       move(worker);
+      if (height_.follows()) map_onto_height(worker);
 #pragma omp barrier
 #pragma omp single
       guarded(worker, [&] { plan_lists(); });
@@ -65,10 +66,15 @@ void Dem::Engine::advance(long steps) {
       guarded(worker, [&] { add_forces(worker, history_steps()); });
 #pragma omp barrier
       fetch_deferred(worker);
+      if (height_.follows()) {
+        sum_normal_flux(worker);
+#pragma omp barrier
+      }
 #pragma omp single
       {
         if (lists_due_) lists_due_ = grid_due_ = false, steps_since_lists_ = 0, travel_ = 0;
         for (const Worker& each : workers_) failed_ = failed_ || each.failure;
+        if (!failed_ && height_.follows()) push_height();
         if (!failed_) take_tallies();
       }
     }
@@ -95,11 +101,13 @@ void Dem::Engine::move(Worker& worker) {
 }
 
 double Dem::Engine::travel_of(double fastest_squared) const {
-  return setup_.step * (2 * std::sqrt(fastest_squared) + std::abs(flow_rate_) * (2 * largest_ + largest_reach() + skins_.neighbours));
+  const double shared = std::abs(flow_rate_) + std::abs(stretch_ - 1) / setup_.step;  // of the distance, in a second
+  return setup_.step * (2 * std::sqrt(fastest_squared) + shared * (2 * largest_ + largest_reach() + skins_.neighbours));
 }
 
 void Dem::Engine::plan_lists() {
   ++steps_, ++steps_since_lists_;
+  if (height_.follows()) stretch_cell();
   double fastest = 0;
   for (const Worker& worker : workers_) {
     // What flies on its own may have gained by gravity, and by where it is in the mean flow.
@@ -114,12 +122,16 @@ void Dem::Engine::plan_lists() {
   travel_ += travel, travel_of_grid_ += travel;
   grid_due_ = travel_of_grid_ > skins_.neighbours;
   lists_due_ = grid_due_ || travel_ > skins_.near;
-  if (cell_.shear_rate != 0)
-    images_ = Images(cell_, grid_offset_ + cell_.shear_rate * cell_.size.z() * setup_.step * static_cast<double>(steps_ - steps_at_grid_));
+  if (cell_.shear_rate != 0 || height_.follows()) images_ = Images(cell_, image_offset());
   totals_.lists_made += lists_due_ ? 1 : 0;
   if (!grid_due_) return;
   for (Worker& worker : workers_) bring_up_resting(worker);
   make_grid(contact_memories());
+}
+
+double Dem::Engine::image_offset() const {
+  if (height_.follows()) return grid_offset_;
+  return grid_offset_ + cell_.shear_rate * cell_.size.z() * setup_.step * static_cast<double>(steps_ - steps_at_grid_);
 }
 
 void Dem::Engine::unstable(double speed) const {
@@ -152,6 +164,7 @@ ForceTask Dem::Engine::force_task(Worker& worker, Pairs& pairs, const WallView* 
           .bridge = rows.bridge(),
           .shift = images_.shift.data(),
           .shift_velocity = images_.velocity.data(),
+          .stretch_rate = stretch_rate_,
           .wall = wall,
           .length = mapped.length,
           .spin = mapped.spin,
@@ -161,7 +174,7 @@ ForceTask Dem::Engine::force_task(Worker& worker, Pairs& pairs, const WallView* 
           .history_step = histories.before,
           .history_after = histories.after,
           .turns = turns_,
-          .sums_moment = keep_sums_,
+          .sums_moment = keep_sums_ || height_.follows(),
           .own_begin = worker.begin,
           .own_end = worker.end,
           .deferred = worker.deferred.data(),

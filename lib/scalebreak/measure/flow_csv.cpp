@@ -47,7 +47,7 @@ std::vector<std::string> series_header() {
 std::vector<CsvCell> series_row(const Sample& sample, int slabs) {
   const FlowState state = flow_state(sample, slabs);
   const Eigen::ArrayXd& s = state.sums;
-  const VelocityProfile profile = velocity_profile(profile_kind(sample.system.cell), s, state.shear_rate);
+  const VelocityProfile profile = velocity_profile(profile_kind(sample.system.cell), s);
   const double spheres = s[flow_entry::spheres], inside = spheres - s[flow_entry::outside];
   const double free = std::max(0.0, inside - static_cast<double>(profile.fitted_parameters));
   const Eigen::Matrix3d moment =

@@ -11,6 +11,7 @@ namespace {
 
 constexpr double default_wall_speed = 0.3;  ///< about 40/s in the default cell [m/s]
 constexpr double default_strain = 4, default_warmup_strain = 2;
+constexpr double closest_packing = 0.64;  ///< at random, of spheres of one size
 constexpr double default_duration = 0.1;  ///< where nothing is sheared [s]
 
 const char* word_of(CellKind kind) { return cell_kind_words[static_cast<std::size_t>(kind)]; }
@@ -21,12 +22,15 @@ std::string words_of(const std::array<Boundary, 3>& boundary) {
   return to_toml(Value(words));
 }
 
+/// Homogeneous shear, at a height that is kept or that follows a pressure.
+bool sheared_across_images(CellKind kind) { return kind == CellKind::shear || kind == CellKind::confined_shear; }
+
 void complete_cell(CellInput& cell, const Given& given) {
   using enum Boundary;
   const bool walled = cell.kind == CellKind::box;
   if (!find_given(given, "cell.boundary"))
     cell.boundary = {walled ? wall : periodic, walled ? wall : periodic, walled || cell.kind == CellKind::couette ? wall : periodic};
-  if (cell.kind != CellKind::shear && !find_given(given, "cell.shear_rate")) cell.shear_rate = 0;
+  if (!sheared_across_images(cell.kind) && !find_given(given, "cell.shear_rate")) cell.shear_rate = 0;
   if (cell.kind == CellKind::couette && !find_given(given, "cell.wall_speed")) cell.wall_speed = default_wall_speed;
 }
 
@@ -38,7 +42,7 @@ void check_boundary(const CellInput& cell, const Given& given) {
   };
   const bool all_periodic = cell.boundary == std::array{periodic, periodic, periodic};
   const auto& [x, y, z] = cell.boundary;
-  if ((cell.kind == CellKind::shear || cell.kind == CellKind::cooling) && !all_periodic)
+  if ((sheared_across_images(cell.kind) || cell.kind == CellKind::cooling) && !all_periodic)
     refuse("[\"periodic\", \"periodic\", \"periodic\"]");
   if (cell.kind == CellKind::couette && (x != periodic || y == open || z != wall))
     refuse("[\"periodic\", \"periodic\", \"wall\"] or [\"periodic\", \"wall\", \"wall\"]");
@@ -48,12 +52,15 @@ void check_drive(const Input& input, const Given& given) {
   const CellInput& cell = input.cell;
   const char* kind = word_of(cell.kind);
   const bool walls = cell.boundary[2] == Boundary::wall;
-  if (cell.kind != CellKind::shear && cell.shear_rate != 0)
-    throw InputError(fmt::format("{}cell.shear_rate = {:g} needs cell.kind = \"shear\", found \"{}\"; allowed: 0{}",
+  if (!sheared_across_images(cell.kind) && cell.shear_rate != 0)
+    throw InputError(fmt::format("{}cell.shear_rate = {:g} needs cell.kind = \"shear\" or \"confined_shear\", found \"{}\"; allowed: 0{}",
                                  place(given, {"cell.shear_rate"}), cell.shear_rate, kind,
                                  walls ? ", the walls move at cell.wall_speed" : ""));
   if (cell.kind == CellKind::shear && cell.shear_rate == 0)
     throw InputError(fmt::format("{}cell.shear_rate: found 0 beside cell.kind = \"shear\"; allowed: above 0, or kind = \"cooling\"",
+                                 place(given, {"cell.shear_rate"})));
+  if (cell.kind == CellKind::confined_shear && cell.shear_rate == 0)
+    throw InputError(fmt::format("{}cell.shear_rate: found 0 beside cell.kind = \"confined_shear\"; allowed: above 0",
                                  place(given, {"cell.shear_rate"})));
   if (cell.wall_speed != 0 && !(walls && cell.boundary[0] == Boundary::periodic))
     throw InputError(fmt::format("{}cell.wall_speed = {:g} needs walls along z in a cell that is periodic along x, found {}; allowed: 0",
@@ -61,7 +68,10 @@ void check_drive(const Input& input, const Given& given) {
   if (cell.wall_no_slip && std::find(cell.boundary.begin(), cell.boundary.end(), Boundary::wall) == cell.boundary.end())
     throw InputError(fmt::format("{}cell.wall_no_slip = true needs walls, found {}; allowed: false", place(given, {"cell.wall_no_slip"}),
                                  words_of(cell.boundary)));
-  if (cell.pressure != 0)
+  if (cell.kind == CellKind::confined_shear && cell.pressure == 0 && find_given(given, "cell.pressure"))
+    throw InputError(fmt::format("{}cell.pressure: found 0 beside cell.kind = \"confined_shear\"; allowed: above 0, or kind = \"shear\"",
+                                 place(given, {"cell.pressure"})));
+  if (cell.kind != CellKind::confined_shear && cell.pressure != 0)
     throw InputError(fmt::format("{}cell.pressure = {:g} needs cell.kind = \"confined_shear\", found \"{}\"; allowed: 0",
                                  place(given, {"cell.pressure"}), cell.pressure, kind));
   for (int axis = 0; axis < 3; ++axis) {
@@ -76,6 +86,15 @@ void check_drive(const Input& input, const Given& given) {
                                  place(given, {"particles.speed"})));
 }
 
+/// Homogeneous shear under a pressure has no default of either.
+void check_confined_is_whole(const CellInput& cell, const Given& given) {
+  if (cell.kind != CellKind::confined_shear) return;
+  for (const char* key : {"cell.pressure", "cell.shear_rate"}) {
+    if (!find_given(given, key))
+      throw InputError(fmt::format("{} is missing; cell.kind = \"confined_shear\" needs pressure and shear_rate", key));
+  }
+}
+
 /// Of a pair of keys that say the same thing, at most one counts.
 void check_exclusive(double duration, double strain, const std::string& first, const std::string& other, double rate, const Given& given) {
   if (duration > 0 && strain > 0)
@@ -88,13 +107,10 @@ void check_exclusive(double duration, double strain, const std::string& first, c
 }  // namespace
 
 void complete_and_check_cell(Input& input, const Given& given) {
-  if (input.cell.kind == CellKind::confined_shear)
-    throw InputError(
-        fmt::format("{}cell.kind = \"confined_shear\" is not there yet; allowed: \"shear\", \"couette\", \"cooling\" or \"box\"",
-                    place(given, {"cell.kind"})));
   complete_cell(input.cell, given);
   check_boundary(input.cell, given);
   check_drive(input, given);
+  check_confined_is_whole(input.cell, given);
 }
 
 void check_room(const Input& input, const Given& given) {
@@ -111,6 +127,12 @@ void check_room(const Input& input, const Given& given) {
   for (int axis = 0; axis < 3; ++axis) {
     const Boundary boundary = input.cell.boundary[static_cast<std::size_t>(axis)];
     const double edge = plan.size[axis], least = least_periodic_edge(plan.largest, plan.reach);
+    const double pressed = edge * plan.volume_fraction / closest_packing;  // the height that the pressure can bring it to
+    if (axis == 2 && input.cell.kind == CellKind::confined_shear && pressed < least)
+      throw InputError(
+          fmt::format("{}the cell is {:g} m long along z, and {:g} m once the pressure has brought it to a volume fraction of {:g}, "
+                      "which is less than two diameters of the largest sphere and the reach of a contact; allowed: at least {:g} m then",
+                      place(given, blame), edge, pressed, closest_packing, least));
     if (boundary == Boundary::periodic && edge < least)
       throw InputError(
           fmt::format("{}the cell is {:g} m long along {}, where it is periodic, which is less than two diameters of the largest "

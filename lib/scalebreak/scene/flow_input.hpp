@@ -12,7 +12,7 @@
 namespace scalebreak {
 
 /// What a flow is: homogeneous shear across images, shear between moving walls, a gas that cools, whatever the boundaries say,
-/// shear under a pressure. The words are in the order of the enumeration, here and below.
+/// homogeneous shear at a height that follows a pressure. The words are in the order of the enumeration, here and below.
 enum class CellKind { shear, couette, cooling, box, confined_shear };
 inline constexpr const char* cell_kind_words[] = {"shear", "couette", "cooling", "box", "confined_shear"};
 
@@ -61,10 +61,10 @@ struct CellInput {
   CellKind kind = CellKind::shear;
   Eigen::Vector3d size{0, 0, 0};  ///< [m]; 0: a cube that follows from count and volume_fraction, or the file's
   std::array<Boundary, 3> boundary = {Boundary::periodic, Boundary::periodic, Boundary::periodic};
-  double shear_rate = 40;            ///< of `shear`: Washino et al. 2024, section 5, ± 2 m/s over 0.1 m [1/s]; 0 elsewhere
-  double wall_speed = 0;             ///< each z wall moves at ± this along x [m/s]
-  bool wall_no_slip = false;         ///< a sphere loses its spin when it touches a wall (Washino et al. 2024, section 5)
-  double pressure = 0;               ///< of `confined_shear` [Pa]
+  double shear_rate = 40;     ///< of `shear` and `confined_shear`: Washino et al. 2024, section 5, ± 2 m/s over 0.1 m [1/s]; 0 elsewhere
+  double wall_speed = 0;      ///< each z wall moves at ± this along x [m/s]
+  bool wall_no_slip = false;  ///< a sphere loses its spin when it touches a wall (Washino et al. 2024, section 5)
+  double pressure = 0;        ///< normal stress P_zz of `confined_shear`, unscaled [Pa]; 0 elsewhere
   Eigen::Vector3d gravity{0, 0, 0};  ///< [m/s²]
 
   bool operator==(const CellInput&) const = default;

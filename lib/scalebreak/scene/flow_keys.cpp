@@ -68,16 +68,17 @@ void add_particles(std::vector<Key>& list) {
 void add_cell(std::vector<Key>& list) {
   const Section<CellInput> add{list, "cell", &Input::cell};
   add.word("kind",
-           "homogeneous shear across periodic faces, shear between moving walls, a gas that cools, a box, shear under a pressure: the "
-           "flow is along x, its gradient along z",
+           "homogeneous shear across periodic faces, shear between moving walls, a gas that cools, a box, homogeneous shear at a height "
+           "that follows a pressure: the flow is along x, its gradient along z",
            cell_kind_words, &CellInput::kind);
   add.vector("size", "m", "lengths of the edges; 0: a cube that follows from count and volume_fraction", &CellInput::size);
   add.words("boundary", "of the faces along x, y and z", boundary_words, &CellInput::boundary);
-  add.number("shear_rate", "1/s", "rate of the mean flow (shear); 0 elsewhere", &CellInput::shear_rate);
+  add.number("shear_rate", "1/s", "rate of the mean flow (shear, confined_shear); 0 elsewhere", &CellInput::shear_rate);
   add.number("wall_speed", "m/s", "the walls along z move at plus and minus this along x", &CellInput::wall_speed);
   list.push_back(flag("cell", "wall_no_slip", "a sphere loses its spin when it touches a wall",
                       [](Input& input) -> bool& { return input.cell.wall_no_slip; }));
-  add.number("pressure", "Pa", "on the walls (confined_shear); 0 elsewhere", &CellInput::pressure);
+  add.number("pressure", "Pa", "normal stress across the gradient that the height of the cell follows (confined_shear); 0 elsewhere",
+             &CellInput::pressure);
   add.vector("gravity", "m/s2", "acceleration of a free sphere", &CellInput::gravity);
 }
 

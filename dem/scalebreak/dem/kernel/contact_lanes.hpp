@@ -90,6 +90,7 @@ template <Turns turns, bool wall>
     }
   });
   motion.velocity = vectors(velocity);
+  if (!wall && task.stretch_rate != 0) motion.velocity.z = motion.velocity.z - Pack(task.stretch_rate) * at.between.z;
   if constexpr (turns == Turns::none) return motion;
   const auto first = [&](auto lane) { return at.first[lane]; };
   const auto second = [&](auto lane) { return sphere_of(at.second[lane]); };

@@ -117,6 +117,7 @@ struct ForceTask {
   const double* bridge = nullptr;  ///< of a row: how far beyond touch a bridge lasts [m]; null without bridges
   const Quad* shift = nullptr;     ///< of the images
   const Quad* shift_velocity = nullptr;
+  double stretch_rate = 0;                             ///< of the cell along z, which velocities are without [1/s]
   const WallView* wall = nullptr;                      ///< null: pairs of spheres
   double length = 1, spin = 1, force = 1, torque = 1;  ///< see MappedLaws
   double radius_share = 1;                             ///< original over scaled radius

@@ -27,6 +27,7 @@ DemSetup dem_setup(const Input& input, double step, int threads) {
           .factor = input.scaling_factor,
           .gravity = input.cell.gravity,
           .wall_no_slip = input.cell.wall_no_slip,
+          .pressure = input.cell.pressure,
           .step = step,
           .integrator = input.run.integrator,
           .threads = threads};

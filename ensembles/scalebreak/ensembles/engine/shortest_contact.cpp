@@ -65,11 +65,12 @@ ShortestContact contact_between(const Input& input, const Meeting& who, const Me
 
 }  // namespace
 
-MeetingSpeed fastest_meeting(const CellInput& cell, const Eigen::Vector3d& size, double largest_radius, double speed) {
+MeetingSpeed fastest_meeting(const CellInput& cell, const Eigen::Vector3d& size, double largest_radius, double speed, double density) {
   const MeetingSpeed all[] = {{"speed at the start", speed},
                               {"shear rate x diameter", mean_shear_rate(cell, size.z()) * 2 * largest_radius},
                               {"wall speed", cell.wall_speed},
-                              {"fall through the cell", std::sqrt(2 * cell.gravity.cwiseAbs().dot(size))}};
+                              {"fall through the cell", std::sqrt(2 * cell.gravity.cwiseAbs().dot(size))},
+                              {"pressure", std::sqrt(cell.pressure / density)}};
   const MeetingSpeed fastest =
       *std::max_element(std::begin(all), std::end(all), [](const MeetingSpeed& a, const MeetingSpeed& b) { return a.speed < b.speed; });
   return fastest.speed > 0 ? fastest : MeetingSpeed{};

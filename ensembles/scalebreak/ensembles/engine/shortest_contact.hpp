@@ -11,13 +11,16 @@ namespace scalebreak {
 
 /// A speed at which spheres of a flow meet, and what makes them.
 struct MeetingSpeed {
-  std::string of;    ///< "speed at the start", "shear rate x diameter", "wall speed", "fall through the cell"; empty: nothing moves
+  std::string
+      of;  ///< "speed at the start", "shear rate x diameter", "wall speed", "fall through the cell", "pressure"; empty: nothing moves
   double speed = 0;  ///< [m/s]
 };
 
 /// The fastest of what occurs in a cell of the scaled system, `size` its edges [m], whose spheres move at `speed` about the mean flow
-/// [m/s]: that, what shear gives two of the largest spheres that pass each other, a moving wall, and a fall through the cell.
-[[nodiscard]] MeetingSpeed fastest_meeting(const CellInput& cell, const Eigen::Vector3d& size, double largest_radius, double speed);
+/// [m/s]: that, what shear gives two of the largest spheres that pass each other, a moving wall, a fall through the cell, and what the pressure of a cell whose height follows it gives spheres of the
+/// least density [kg/m³], √(P/ρ).
+[[nodiscard]] MeetingSpeed fastest_meeting(const CellInput& cell, const Eigen::Vector3d& size, double largest_radius, double speed,
+                                           double density);
 
 /// Of the contacts that occur in a flow of the scaled system, the one that lasts least.
 struct ShortestContact {

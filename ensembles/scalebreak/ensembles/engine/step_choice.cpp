@@ -12,6 +12,10 @@
 namespace scalebreak {
 namespace {
 
+double least_density(const Input& input, bool second) {
+  return second ? std::min(input.material.density, input.second.density) : input.material.density;
+}
+
 bool has_walls(const CellInput& cell) { return std::count(cell.boundary.begin(), cell.boundary.end(), Boundary::wall) > 0; }
 
 }  // namespace
@@ -23,7 +27,7 @@ StepScene step_scene(const Input& input, const System& start, double speed) {
     smallest = smallest == 0 ? start.radius[i] : std::min(smallest, start.radius[i]);
   }
   const double largest = *std::max_element(start.radius.begin(), start.radius.end());
-  scene.meeting = fastest_meeting(input.cell, start.cell.size, largest, speed);
+  scene.meeting = fastest_meeting(input.cell, start.cell.size, largest, speed, least_density(input, scene.smallest[1] > 0));
   return scene;
 }
 
@@ -32,7 +36,8 @@ StepScene expected_step_scene(const Input& input) {
   const double factor = size_factor(*find_scaling_law(input.scaling_law), input.scaling_factor);
   const SizeRange range = size_range(input.particles, {input.material.density, input.second.density});
   StepScene scene{.smallest = {factor * range.least, 0},
-                  .meeting = fastest_meeting(input.cell, plan.size, plan.largest, input.particles.speed),
+                  .meeting = fastest_meeting(input.cell, plan.size, plan.largest, input.particles.speed,
+                                             least_density(input, input.particles.size == SizeKind::bidisperse)),
                   .walls = has_walls(input.cell)};
   if (input.particles.size == SizeKind::bidisperse) scene.smallest[1] = factor * input.particles.large_radius;
   return scene;
@@ -52,10 +57,10 @@ StepChoice choose_step(const Input& input, const StepScene& scene, const TableSt
   choice.step = bounded ? bound.step : choice.asked;
   choice.limit = bounded ? bound.name : "step_fraction";
   if (beyond)
-    choice.warning = fmt::format(
-        "run.step_fraction = {:g} of the Rayleigh time is a step of {:.3g} s, beyond the bound of the {}, {:.3g} s, {}",
-        input.run.step_fraction, choice.asked, bound.name, bound.step,
-        bounded ? "which is taken instead" : "and is taken all the same, as run.step_bounds = false has it");
+    choice.warning =
+        fmt::format("run.step_fraction = {:g} of the Rayleigh time is a step of {:.3g} s, beyond the bound of the {}, {:.3g} s, {}",
+                    input.run.step_fraction, choice.asked, bound.name, bound.step,
+                    bounded ? "which is taken instead" : "and is taken all the same, as run.step_bounds = false has it");
   return choice;
 }
 

@@ -7,6 +7,7 @@
 namespace scalebreak {
 EngineChoice choose_engine(const std::string& engine, const Input& input, int threads, double worth) {
   if (engine != "auto") return {engine, "as --engine says"};
+  if (input.cell.kind == CellKind::confined_shear) return {"dem", "the height of the cell follows the stress of every step"};
   if (find_scaling_law(input.scaling_law)->direct_force) return {"dem", "no collision table describes a law that maps forces"};
   if (input.surface.attraction != Attraction::none) return {"dem", "no collision table describes liquids, which act at a distance"};
   if (input.particles.size != SizeKind::mono && input.particles.size != SizeKind::bidisperse)

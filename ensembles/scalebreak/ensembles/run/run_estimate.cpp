@@ -51,6 +51,8 @@ RunEstimate estimate_run(const Input& input, int threads) {
     volume_fraction = scalebreak::volume_fraction(cell, start.system.radius);
     scene = step_scene(input, start.system, start.speed);
   }
+  if (input.cell.kind == CellKind::confined_shear)  // most of it is spent at about this height
+    cell.size.z() *= volume_fraction / densest, volume_fraction = densest;
   const StepChoice step = choose_step(input, scene, nullptr);
   const RunSchedule schedule = run_schedule(run_times(input, cell), step.step);
   const auto replicas = static_cast<double>(input.run.replicas);

@@ -57,10 +57,10 @@ FlowResult evaluate_flow(const Blocks& blocks, ProfileKind kind, double shear_ra
   for (const Eigen::ArrayXd& block : blocks) run = run.size() == 0 ? block : Eigen::ArrayXd(run + block);
   VelocityProfile profile;
   if (!blocks.empty()) {
-    profile = velocity_profile(kind, run, shear_rate);
+    profile = velocity_profile(kind, run);
     result.duration = run[flow_entry::duration];
     result.outside = run[flow_entry::outside] / result.duration;
-    result.profile = evaluate_profile(blocks, run, profile);
+    result.profile = evaluate_profile(blocks, run, profile, shear_rate);
   }
 
   const auto in_slabs = [](const auto& s) { return 3 * (s[flow_entry::spheres] - s[flow_entry::outside]); };

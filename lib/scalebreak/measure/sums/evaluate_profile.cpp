@@ -25,10 +25,10 @@ ProfileColumn column(const Blocks& blocks, std::string name, std::string unit, c
 
 }  // namespace
 
-FlowProfile evaluate_profile(const Blocks& blocks, const Eigen::ArrayXd& run, const VelocityProfile& profile) {
+FlowProfile evaluate_profile(const Blocks& blocks, const Eigen::ArrayXd& run, const VelocityProfile& profile, double shear_rate) {
   FlowProfile result;
   const auto slabs = static_cast<double>(slab_count(run));
-  const double thickness = run[flow_entry::gap] / run[flow_entry::duration] / slabs;
+  const double gap = run[flow_entry::gap] / run[flow_entry::duration], thickness = gap / slabs;
   for (double k = 0.5; k < slabs; ++k) result.height.push_back(k * thickness);
 
   const Sum spheres = entry(slab_entry::number);
@@ -40,7 +40,12 @@ FlowProfile evaluate_profile(const Blocks& blocks, const Eigen::ArrayXd& run, co
   add("volume_fraction", "-", entry(slab_entry::solid), volume);
   add("number_density", "1/m3", spheres, volume);
   for (const Eigen::Index i : {0, 1, 2}) {
-    add(fmt::format("velocity_{}", axes[static_cast<std::size_t>(i)]), "m/s", entry(slab_entry::number + 3 + i), spheres);
+    const Sum velocity = [&, i](const auto& s, auto k) {
+      const double count = spheres(s, k), place = static_cast<double>(k) * count + s[slab_index(k, slab_entry::number + 1)];
+      const double imposed = i == 0 ? shear_rate * gap * (place / slabs - count / 2) : 0.0;
+      return imposed + s[slab_index(k, slab_entry::number + 3 + i)];
+    };
+    add(fmt::format("velocity_{}", axes[static_cast<std::size_t>(i)]), "m/s", velocity, spheres);
   }
   add(
       "temperature", "m2/s2", [&](const auto& s, auto k) { return fluctuation(s, k, slab_entry::number, profile).trace(); },

@@ -44,8 +44,8 @@ void add_sphere(Eigen::ArrayXd& sums, const SlabGrid& grid, const System& system
   const Eigen::Index slab = *found;
   const double place = height / grid.height() - static_cast<double>(slab);
   constexpr Eigen::Index moments = VelocityMoments::SizeAtCompileTime;
-  add_velocity(sums.segment<moments>(slab_index(slab, slab_entry::number)), 1, place, velocity);
-  add_velocity(sums.segment<moments>(slab_index(slab, slab_entry::mass)), mass, place, velocity);
+  add_velocity(sums.segment<moments>(slab_index(slab, slab_entry::number)), 1, place, own);
+  add_velocity(sums.segment<moments>(slab_index(slab, slab_entry::mass)), mass, place, own);
   sums[slab_index(slab, slab_entry::rotational_energy)] += spinning;
   sums.segment<3>(slab_index(slab, slab_entry::spin)) += system.spin[i].array();
 }

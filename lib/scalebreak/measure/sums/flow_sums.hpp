@@ -32,7 +32,7 @@ enum Entry : Eigen::Index {
 
 namespace slab_entry {
 enum Entry : Eigen::Index {
-  number,                                              ///< VelocityMoments of weight 1
+  number,                                              ///< VelocityMoments of weight 1, in homogeneous shear about its profile
   mass = number + VelocityMoments::SizeAtCompileTime,  ///< VelocityMoments weighted by mass
   solid = mass + VelocityMoments::SizeAtCompileTime,
   rotational_energy,

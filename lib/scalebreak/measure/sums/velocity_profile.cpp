@@ -40,15 +40,12 @@ ProfileKind profile_kind(const Cell& cell) {
   return cell.walled(2) ? ProfileKind::fitted : ProfileKind::uniform;
 }
 
-VelocityProfile velocity_profile(ProfileKind kind, const Eigen::ArrayXd& sums, double shear_rate) {
+VelocityProfile velocity_profile(ProfileKind kind, const Eigen::ArrayXd& sums) {
   if (kind == ProfileKind::fitted) return fitted(sums);
   const Eigen::Index slabs = slab_count(sums);
   VelocityProfile profile;
   if (kind == ProfileKind::imposed) {
-    const double gap = sums[flow_entry::gap] / sums[flow_entry::duration];
-    for (Eigen::Index k = 0; k <= slabs; ++k) {
-      profile.edges.emplace_back(shear_rate * gap * (static_cast<double>(k) / static_cast<double>(slabs) - 0.5), 0, 0);
-    }
+    profile.edges.assign(static_cast<std::size_t>(slabs + 1), Eigen::Vector3d::Zero());
     return profile;
   }
   double spheres = 0;

@@ -11,7 +11,7 @@ namespace scalebreak {
 /// About which profile velocities count as fluctuations (W eq. 104: the mean at each particle's own height).
 enum class ProfileKind {
   uniform,  ///< the mean velocity of all spheres
-  imposed,  ///< of homogeneous shear, as the images impose it
+  imposed,  ///< of homogeneous shear, as the images impose it: the sums are about it already, each state's in its own cell
   fitted,   ///< between walls: linear across each slab, continuous, with the least squares of the whole measurement
 };
 
@@ -22,7 +22,7 @@ struct VelocityProfile {
   Eigen::Index fitted_parameters = 0;  ///< of each component of the velocity
 };
 
-/// `sums` of a state or of a run (flow_sums.hpp); the shear rate of the images [1/s].
-[[nodiscard]] VelocityProfile velocity_profile(ProfileKind kind, const Eigen::ArrayXd& sums, double shear_rate);
+/// `sums` of a state or of a run (flow_sums.hpp).
+[[nodiscard]] VelocityProfile velocity_profile(ProfileKind kind, const Eigen::ArrayXd& sums);
 
 }  // namespace scalebreak

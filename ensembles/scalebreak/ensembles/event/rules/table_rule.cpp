@@ -58,6 +58,14 @@ void refuse_sizes_without_tables(const Input& input) {
     refuse_sizes();
 }
 
+void refuse_height_that_follows(const Input& input) {
+  if (input.cell.kind == CellKind::confined_shear)
+    throw InputError(
+        fmt::format("cell.kind: found \"confined_shear\", whose height follows the stress of every step, which collisions as instants do "
+                    "not have; allowed in an event-driven or hybrid run: \"shear\", \"couette\", \"cooling\" or \"box\", or {}",
+                    other_engine));
+}
+
 void refuse_laws_without_tables(const Input& input) {
   if (find_scaling_law(input.scaling_law)->direct_force)
     throw InputError(
@@ -83,6 +91,7 @@ std::vector<SphereKind> kinds_of(const System& system) {
 TableRule::TableRule(const Input& input, std::vector<SphereKind> kinds, const TableStore& store, const PairTolerance& tolerance,
                      Unanswered unanswered)
     : kinds_(std::move(kinds)), unanswered_(unanswered), wall_no_slip_(input.cell.wall_no_slip) {
+  refuse_height_that_follows(input);
   if (unanswered == Unanswered::integrate) refuse_laws_without_tables(input);
   if (kinds_.size() > most_kinds) refuse_sizes();
   const auto& boundary = input.cell.boundary;

@@ -26,6 +26,9 @@ void refuse_laws_without_tables(const Input& input);
 /// The same for sizes that are drawn for each sphere, of which there are too many kinds.
 void refuse_sizes_without_tables(const Input& input);
 
+/// Throws InputError where the height of the cell follows a pressure: its stress is known at every step of soft spheres alone.
+void refuse_height_that_follows(const Input& input);
+
 /// What is done with a collision that no table answers: the exact engine resolves it, or it is left to who asks.
 enum class Unanswered { integrate, leave };
 
