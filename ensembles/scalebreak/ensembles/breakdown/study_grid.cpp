@@ -100,11 +100,10 @@ std::uint64_t hash_of(const std::string& text) {
   return hash;
 }
 
-/// Can this engine run this cell?
-bool runs(const std::string& engine, const Input& input) {
+/// Does this engine suit this cell? A hybrid without tables would be soft spheres in patches.
+bool suits(const std::string& engine, const Input& input) {
   try {
-    if (engine == "event") refuse_laws_without_tables(input);
-    if (flies(engine)) refuse_sizes_without_tables(input);
+    if (flies(engine)) refuse_laws_without_tables(input), refuse_sizes_without_tables(input);
   } catch (const InputError&) {
     return false;
   }
@@ -150,7 +149,7 @@ StudyGrid study_grid(const Input& input) {
         cell.input = changed(
             scene, all, fmt::format("study, {}{}{} at {:g}", point.name(input.study.parameter), changes.empty() ? "" : ", ", law, factor));
         cell.choice = choose_engine(engine, cell.input, 1, 0);
-        if (!runs(cell.choice.engine, cell.input)) return void(++grid.skipped);
+        if (!suits(cell.choice.engine, cell.input)) return void(++grid.skipped);
         cell.key = hash_of(cell.choice.engine + "\n" + write_input(cell.input));
         const bool there = std::any_of(grid.cells.begin(), grid.cells.end(), [&](const StudyCell& other) { return other.key == cell.key; });
         if (!there) grid.cells.push_back(std::move(cell));  // another word for the engine, or "none" at 1

@@ -62,15 +62,16 @@ FlowStart from_file(const Input& input, const Flow& flow) {
   FlowStart start{.system = read_particles(flow.file), .speed = 0, .warnings = {}};
   System& system = start.system;
   if ((system.cell.size.array() <= 0).any())
-    throw InputError(fmt::format("particles.file: {} says nothing of the cell; allowed: extended XYZ with a Lattice, or LAMMPS data", flow.file));
+    throw InputError(
+        fmt::format("particles.file: {} says nothing of the cell; allowed: extended XYZ with a Lattice, or LAMMPS data", flow.file));
   if (system.count() < 2)
     throw InputError(fmt::format("particles.file: {} holds {} sphere; allowed: at least 2", flow.file, system.count()));
   put_into_cell(system, flow);
   check_no_overlap(system, flow.file + ": ");
   system.time = 0;
   if (const std::size_t differ = set_masses(system, input); differ > 0)
-    start.warnings.push_back(fmt::format("{} gives {} of {} spheres another mass than their material has: the material's are used", flow.file,
-                                         differ, system.count()));
+    start.warnings.push_back(fmt::format("{} gives {} of {} spheres another mass than their material has: the material's are used",
+                                         flow.file, differ, system.count()));
   enlarge(system, flow.size_factor);
   (void)set_masses(system, input);
   start.speed = root_mean_square_speed(system);

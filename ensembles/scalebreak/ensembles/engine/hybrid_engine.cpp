@@ -12,6 +12,8 @@ namespace {
 constexpr double crowded_share = 0.4, thin_share = 0.08;
 /// Looks at the share of patches between two samples, so that a flow that jams does not do so in patches.
 constexpr int looks = 8;
+/// A flight of fewer samples was too short to be worth it; the longest that soft spheres then stay.
+constexpr long short_flight = 8, longest_stay = 1024;
 
 /// Of the spheres, those that touch each other in threes or more, or stay at a wall.
 double crowded_part(const System& system) {
@@ -71,6 +73,7 @@ HybridEngine::HybridEngine(std::string_view saved, const Input& input, const Tab
     : input_(input), store_(store), setup_(setup) {
   bool soft = false;
   take_bytes(saved, count_), take_bytes(saved, keeps_sums_), take_bytes(saved, patch_time_), take_bytes(saved, soft);
+  take_bytes(saved, since_handover_), take_bytes(saved, stay_);
   go_through(before_, [&](auto& value) { take_bytes(saved, value); });
   if (soft) {
     soft_ = std::make_unique<DemEngine>(saved, setup_, true);
@@ -83,6 +86,7 @@ HybridEngine::HybridEngine(std::string_view saved, const Input& input, const Tab
 std::string HybridEngine::save() const {
   std::string bytes;
   put_bytes(bytes, count_), put_bytes(bytes, keeps_sums_), put_bytes(bytes, patch_time_), put_bytes(bytes, soft_ != nullptr);
+  put_bytes(bytes, since_handover_), put_bytes(bytes, stay_);
   EngineTotals before = before_;
   go_through(before, [&](const auto& value) { put_bytes(bytes, value); });
   return bytes + engine().save();
@@ -106,6 +110,8 @@ void HybridEngine::hand_over() {
   const System state = flying_->soft_system();
   before_ = sum(before_, flying_->totals());
   ++before_.handovers;
+  stay_ = since_handover_ < short_flight ? std::min(2 * stay_, longest_stay) : 1;
+  since_handover_ = 0;
   flying_.reset();
   soft_ = std::make_unique<DemEngine>(state, setup_, true);
   soft_->keep_sums(keeps_sums_);
@@ -115,6 +121,7 @@ void HybridEngine::take_back() {
   const System state = soft_->system();
   before_ = sum(before_, soft_->totals());
   ++before_.handovers;
+  since_handover_ = 0;
   soft_.reset();
   flying_ = std::make_unique<EventEngine>(state, input_, store_, setup_);
   patch_time_ = 0;
@@ -122,11 +129,12 @@ void HybridEngine::take_back() {
 
 void HybridEngine::advance_to(double time) {
   const double start = this->time();
+  ++since_handover_;
   for (int look = 1; look <= looks; ++look) {
     const double since = this->time();
     if (soft_) {
       soft_->advance_to(time);
-      if (is_thin()) take_back();
+      if (since_handover_ >= stay_ && is_thin()) take_back();
       return;
     }
     flying_->advance_to(look < looks ? start + (time - start) * look / looks : time);

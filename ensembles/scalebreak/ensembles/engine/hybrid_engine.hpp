@@ -42,6 +42,8 @@ class HybridEngine final : public FlowEngine {
   std::unique_ptr<DemEngine> soft_;
   EngineTotals before_;    ///< of engines that have handed over
   double patch_time_ = 0;  ///< at the last look [s]
+  /// Samples since the last handover, and how many soft spheres stay at least: twice as many after each flight that was crowded at once.
+  long since_handover_ = 0, stay_ = 1;
 };
 
 }  // namespace scalebreak

@@ -96,17 +96,24 @@ class EventSpheres {
   void keep_encounter(std::uint32_t i, std::uint32_t partner, double contact_time);
   /// May anything touch one of the two (or the one at a wall) before their contact has ended?
   [[nodiscard]] bool disturbed(std::uint32_t i, std::uint32_t partner, const Parting& parting) const;
-  /// Makes a patch of a sphere and what it meets (a sphere, or a wall), with all that they are in contact with.
+  /// Makes a patch of a sphere and what it meets (a sphere, or a wall), with all that they are in contact with, and settles it.
   void crowd(std::uint32_t i, Neighbour partner);
+  [[nodiscard]] Patch merged(std::uint32_t i, Neighbour partner);
   /// What a sphere is part of, taken out of the flow; of a sphere that is free, itself as it was at `earliest`, or since when it has been free.
   [[nodiscard]] Patch take_out(std::uint32_t i, double earliest);
   [[nodiscard]] Patch take_back(std::uint32_t i);
   void advance(Patch& patch, double time);
-  /// A patch of this time goes on: what has come free leaves, the rest is shown to the flow.
+  /// A patch of this time goes on, with what its balls hold already: what has come free leaves, the rest is shown to the flow.
   void settle(Patch&& patch);
+  /// Takes it apart and puts its parts as balls into the flow; gives the parts' slots, the first one last.
+  [[nodiscard]] std::vector<std::uint32_t> put_down(Patch&& patch);
   [[nodiscard]] std::uint32_t open_slot(Patch&& patch);
-  /// Puts its spheres as balls into the flow and looks what comes into them; may make it part of another one.
-  void show(std::uint32_t slot);
+  struct Entering {
+    std::uint32_t sphere;  ///< of a patch
+    Neighbour partner;     ///< what is in its ball
+  };
+  /// Foresees what will come into the balls of a patch; or gives what is in one of them now, and the patch is to be merged with that.
+  [[nodiscard]] std::optional<Entering> show(std::uint32_t slot);
   void put_members(const Patch& patch, double horizon);
   [[nodiscard]] Foreseen foresee_in_patch(std::uint32_t i) const;
   void happen_in_patch(std::uint32_t i);

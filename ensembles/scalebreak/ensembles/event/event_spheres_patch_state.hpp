@@ -13,7 +13,10 @@ namespace scalebreak {
 template <class Queue, class Rule>
 void EventSpheres<Queue, Rule>::settle_all() {
   for (std::size_t slot = 0; slot < patch_.size(); ++slot) {
-    if (patch_[slot]) settle(take_out(patch_[slot]->sphere.front(), now_));
+    if (!patch_[slot]) continue;
+    Patch patch = take_out(patch_[slot]->sphere.front(), now_);
+    patch.stretch = patch.best_stretch(longest_stretch());
+    settle(std::move(patch));
   }
 }
 

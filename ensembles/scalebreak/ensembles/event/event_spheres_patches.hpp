@@ -1,6 +1,8 @@
 #pragma once
 
 #include <algorithm>
+#include <limits>
+#include <optional>
 
 #include <scalebreak/ensembles/event/event_spheres.hpp>
 #include <scalebreak/ensembles/event/flight/instants.hpp>
@@ -115,7 +117,7 @@ Patch EventSpheres<Queue, Rule>::take_out(std::uint32_t i, double earliest) {
 }
 
 template <class Queue, class Rule>
-void EventSpheres<Queue, Rule>::crowd(std::uint32_t i, Neighbour partner) {
+Patch EventSpheres<Queue, Rule>::merged(std::uint32_t i, Neighbour partner) {
   const bool with_sphere = partner.sphere() < most_flying_spheres;
   const std::uint32_t j = partner.sphere();
   // What is in contact is from before now; what is free then comes to it in time.
@@ -123,10 +125,17 @@ void EventSpheres<Queue, Rule>::crowd(std::uint32_t i, Neighbour partner) {
     return patched(k) ? patch_[patch_of_[k]]->group.time() : busy(k) ? encounter_[k].begin : now_;
   };
   const double earliest = with_sphere ? std::min(since(i), since(j)) : since(i);
+  // Of patches that were settled at this very instant: a stretch that grew again would let in again what a shorter one has left out.
+  double longest = std::numeric_limits<double>::infinity();
+  const auto settled = [&](const Patch& patch) {
+    if (patch.stretch > 0 && patch.group.time() == now_) longest = std::min(longest, patch.stretch);
+  };
   Patch patch = take_out(i, earliest);
+  settled(patch);
   bool has_both = !with_sphere || std::find(patch.sphere.begin(), patch.sphere.end(), j) != patch.sphere.end();
   if (!has_both) {
     Patch other = take_out(j, earliest);
+    settled(other);
     std::uint32_t here = i, there = j;
     if (other.group.time() < patch.group.time()) std::swap(patch, other), std::swap(here, there);
     const double time = other.group.time();
@@ -142,7 +151,13 @@ void EventSpheres<Queue, Rule>::crowd(std::uint32_t i, Neighbour partner) {
   for (const std::uint32_t k : patch.sphere) encounter_[k].end = now_;
   ++totals_.patches;
   advance(patch, now_);
-  settle(std::move(patch));
+  patch.stretch = std::min(patch.best_stretch(longest_stretch()), longest);
+  return patch;
+}
+
+template <class Queue, class Rule>
+void EventSpheres<Queue, Rule>::crowd(std::uint32_t i, Neighbour partner) {
+  settle(merged(i, partner));
 }
 
 template <class Queue, class Rule>
@@ -198,29 +213,40 @@ std::uint32_t EventSpheres<Queue, Rule>::open_slot(Patch&& patch) {
 
 template <class Queue, class Rule>
 void EventSpheres<Queue, Rule>::settle(Patch&& patch) {
-  patch.stretch = patch.best_stretch(longest_stretch());
-  const LinkedParts linked = linked_parts(patch, patch.stretch);
-  put_members(patch, 0);
-  std::vector<std::uint32_t> slots;
-  if (linked.parts.size() == 1 && linked.alone.empty()) {
-    slots.push_back(open_slot(std::move(patch)));
-  } else {
-    for (const auto& part : linked.parts) slots.push_back(open_slot(patch.part(part)));
-    for (const std::uint32_t k : linked.alone) encounter_[patch.sphere[k]].end = now_;
-  }
-  std::vector<std::uint32_t> alone;
-  for (const std::uint32_t k : linked.alone) alone.push_back(patch.sphere[k]);
-  for (const std::uint32_t slot : slots) put_members(*patch_[slot], patch_[slot]->stretch);
-  for (const std::uint32_t i : alone) {
-    if (!patched(i)) look_ahead(i);
-  }
-  for (const std::uint32_t slot : slots) {
-    if (patch_[slot]) show(slot);
+  std::vector<std::uint32_t> to_show = put_down(std::move(patch));
+  while (!to_show.empty()) {
+    const std::uint32_t slot = to_show.back();
+    to_show.pop_back();
+    if (!patch_[slot]) continue;  // merged with another since
+    const std::optional<Entering> entering = show(slot);
+    if (!entering) continue;
+    const auto more = put_down(merged(entering->sphere, entering->partner));
+    to_show.insert(to_show.end(), more.begin(), more.end());
   }
 }
 
 template <class Queue, class Rule>
-void EventSpheres<Queue, Rule>::show(std::uint32_t slot) {
+std::vector<std::uint32_t> EventSpheres<Queue, Rule>::put_down(Patch&& patch) {
+  const LinkedParts linked = linked_parts(patch, patch.stretch);
+  put_members(patch, 0);
+  std::vector<std::uint32_t> slots, alone;
+  for (const std::uint32_t k : linked.alone) {
+    alone.push_back(patch.sphere[k]);
+    encounter_[patch.sphere[k]].end = now_;
+  }
+  if (linked.parts.size() == 1 && linked.alone.empty()) {
+    slots.push_back(open_slot(std::move(patch)));
+  } else {
+    for (const auto& part : linked.parts) slots.push_back(open_slot(patch.part(part)));
+  }
+  for (const std::uint32_t slot : slots) put_members(*patch_[slot], patch_[slot]->stretch);
+  for (const std::uint32_t i : alone) look_ahead(i);
+  std::reverse(slots.begin(), slots.end());
+  return slots;
+}
+
+template <class Queue, class Rule>
+auto EventSpheres<Queue, Rule>::show(std::uint32_t slot) -> std::optional<Entering> {
   Patch& patch = *patch_[slot];
   for (std::uint32_t k = 0; k < patch.sphere.size(); ++k) {
     const std::uint32_t i = patch.sphere[k];
@@ -242,10 +268,11 @@ void EventSpheres<Queue, Rule>::show(std::uint32_t slot) {
           flight_.position(j, now_) + flight_.images[neighbour.image()].shift_at(now_) - flight_.position(i, now_);
       const double reach = flight_.sphere[i].radius + flight_.sphere[j].radius;
       // It is in the ball already. What is at its edge and leaves stays out.
-      if (apart.squaredNorm() < reach * reach * (1 - 1e-12)) return crowd(i, neighbour);
+      if (apart.squaredNorm() < reach * reach * (1 - 1e-12)) return Entering{i, neighbour};
     }
   }
   for (const std::uint32_t i : patch.sphere) schedule(i, foresee_in_patch(i));
+  return {};
 }
 
 template <class Queue, class Rule>
@@ -276,6 +303,7 @@ void EventSpheres<Queue, Rule>::happen_in_patch(std::uint32_t i) {
   }
   Patch patch = take_out(i, now_);
   advance(patch, now_);
+  patch.stretch = patch.best_stretch(longest_stretch());
   settle(std::move(patch));
 }
 
