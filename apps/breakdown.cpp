@@ -1,11 +1,10 @@
-#include <algorithm>
-
 #include <fmt/format.h>
 
 #include <scalebreak/base/error.hpp>
 #include <scalebreak/ensembles/breakdown/run_study.hpp>
 #include <scalebreak/ensembles/breakdown/study_files.hpp>
 #include <scalebreak/ensembles/breakdown/study_report.hpp>
+#include <scalebreak/ensembles/breakdown/verdicts.hpp>
 #include <scalebreak/output/atomic_file.hpp>
 
 #include "command.hpp"
@@ -26,12 +25,14 @@ std::string estimate(const Options& options, const Input& input) {
 }
 
 void print(const StudyResult& study, const std::string& parameter) {
-  for (const std::string& each : summary(study, parameter)) fmt::print("{}\n", each);
+  for (const LawReach& reach : law_reaches(study)) fmt::print("{}\n", sentence(reach, parameter));
   for (std::size_t i = 0; i < study.cells.size(); ++i) {
     if (!study.cells[i].failure.empty())
       fmt::print("{} at {:g}, {}: {}\n", study.grid.cells[i].law, study.grid.cells[i].factor, study.grid.cells[i].point.name(parameter),
                  study.cells[i].failure);
   }
+  fmt::print("\n");
+  for (const std::string& each : law_digest(study, parameter)) fmt::print("{}\n", each);
 }
 
 void run(const Options& options) {

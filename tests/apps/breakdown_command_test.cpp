@@ -40,7 +40,7 @@ TEST_F(BreakdownCommand, GivesEveryKeyAndEveryFile) {
     EXPECT_EQ(quantity["claim"], j["cells"][0]["quantities"][name]["value"]) << name;
   }
   ASSERT_EQ(j["reaches"].size(), 2u);
-  EXPECT_THAT(j["reaches"][0]["sentence"].get<std::string>(), HasSubstr("rps, volume fraction 0.2"));
+  EXPECT_THAT(j["reaches"][0]["sentence"].get<std::string>(), HasSubstr("rps (dem), volume fraction 0.2"));
   EXPECT_EQ(j, json_file(std::filesystem::path(out) / "result.json"));
   for (const char* name :
        {"input.toml", "study.csv", "map_temperature.gp", "map_temperature.csv", "pressure_over_contacts.gp", "index.html"})

@@ -171,7 +171,7 @@ TEST(Verdicts, TellBrokenFromUncertain) {
   EXPECT_EQ(broken.standing, Standing::broken);
   EXPECT_EQ(broken.worst->name, "collision_rate");                                   // beyond, unlike the larger one
   EXPECT_EQ(standing({off_by("coordination", 5, 0.01)}).standing, Standing::holds);  // no claim
-  EXPECT_EQ(standing({off_by("temperature", 0.0, std::nan(""))}).standing, Standing::undecided);
+  EXPECT_EQ(standing({off_by("temperature", 0.001, std::nan(""))}).standing, Standing::undecided);
 }
 
 TEST(Verdicts, SayHowFarALawGoes) {
@@ -186,7 +186,8 @@ TEST(Verdicts, SayHowFarALawGoes) {
   ASSERT_EQ(reaches.size(), 1u);
   EXPECT_EQ(reaches[0].holds_to, 0.1);
   EXPECT_EQ(reaches[0].next, 0.01);
-  EXPECT_EQ(sentence(reaches[0], ""), "rps, volume fraction 0.2: holds to 0.1; at 0.01 granular temperature is off by +12.3 % ± 0.4 %");
+  EXPECT_EQ(sentence(reaches[0], ""),
+            "rps (dem), volume fraction 0.2: holds to 0.1; at 0.01 granular temperature is off by +12.3 % ± 0.4 %");
 }
 
 }  // namespace

@@ -120,6 +120,7 @@ json study_json(const StudyResult& study, const std::string& parameter) {
           {"broken_beyond", broken_beyond},
           {"cells", cells},
           {"reaches", reaches},
+          {"digest", law_digest(study, parameter)},
           {"skipped", study.grid.skipped}};
 }
 

@@ -113,8 +113,12 @@ Plot deviations_over(const StudyResult& study, const StudyQuantity& quantity, co
   return plot;
 }
 
+/// Is there a deviation of it? The volume fraction of a closed cell has none.
 bool judged(const StudyResult& study, const std::string& quantity) {
-  return std::any_of(study.cells.begin(), study.cells.end(), [&](const CellResult& cell) { return cell.deviation(quantity) != nullptr; });
+  return std::any_of(study.cells.begin(), study.cells.end(), [&](const CellResult& cell) {
+    const Comparison* c = cell.deviation(quantity);
+    return c && std::abs(c->relative.value) > 1e-9;
+  });
 }
 
 Plot patch_plot(const StudyResult& study, const std::string& title) {
@@ -145,7 +149,7 @@ std::vector<MapPlot> deviation_maps(const StudyResult& study, const std::string&
   for (const std::string& engine : engines) {
     for (const std::string& name : judged_quantities()) {
       MapPlot map = map_of(study, name, engine, parameter);
-      if (map.fields.empty()) continue;
+      if (map.fields.empty() || !judged(study, name)) continue;
       map.name = fmt::format("map_{}{}", name, engines.size() > 1 ? "_" + engine : "");
       map.title =
           fmt::format("Deviation of the {} in %: {}{}", study_quantity(name).what, title, engines.size() > 1 ? ", engine " + engine : "");

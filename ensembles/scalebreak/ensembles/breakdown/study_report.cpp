@@ -48,12 +48,6 @@ std::string how_judged() {
 
 }  // namespace
 
-std::vector<std::string> summary(const StudyResult& study, const std::string& parameter) {
-  std::vector<std::string> sentences;
-  for (const LawReach& reach : law_reaches(study)) sentences.push_back(sentence(reach, parameter));
-  return sentences;
-}
-
 std::vector<std::string> write_study(const Input& input, const StudyResult& study, const std::string& title,
                                      const std::filesystem::path& out) {
   const std::string& parameter = input.study.parameter;
@@ -63,7 +57,9 @@ std::vector<std::string> write_study(const Input& input, const StudyResult& stud
   report.paragraph(
       fmt::format("Modelled: {}.{}", modelled(input), study.complete ? "" : " The study was interrupted: not all runs are there."));
   report.heading("Where they break");
-  for (const std::string& each : summary(study, parameter)) report.paragraph(each + ".");
+  for (const std::string& each : law_digest(study, parameter)) report.paragraph(each + ".");
+  report.heading("How far each law goes");
+  for (const LawReach& reach : law_reaches(study)) report.paragraph(sentence(reach, parameter) + ".");
   report.heading("Maps");
   for (const MapPlot& map : deviation_maps(study, parameter, title)) {
     if (!draw(map, out)) missing.push_back(map.name);

@@ -9,9 +9,6 @@
 
 namespace scalebreak {
 
-/// Where the laws break, in a few sentences: how far each goes at its best and at its worst point, and what goes first.
-[[nodiscard]] std::vector<std::string> summary(const StudyResult& study, const std::string& parameter);
-
 /// Writes study.csv, maps, plots and index.html into `out`; `title` names the scene. Returns the plots that could not be drawn.
 std::vector<std::string> write_study(const Input& input, const StudyResult& study, const std::string& title,
                                      const std::filesystem::path& out);

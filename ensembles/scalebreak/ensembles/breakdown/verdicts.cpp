@@ -14,7 +14,14 @@ constexpr double standard_errors = 2;
 
 double size_of(const Comparison& c) { return std::abs(c.relative.value); }
 bool beyond(const Comparison& c) { return size_of(c) - standard_errors * c.relative.error > broken_beyond; }
+/// Is it a number of the scene, as the volume fraction of a closed cell, and no result?
+bool is_given(const Comparison& c) { return size_of(c) < 1e-9; }
 bool within(const Comparison& c) { return size_of(c) + standard_errors * c.relative.error <= broken_beyond; }
+
+/// "granular temperature is off by +8.1 % ± 0.9 %"
+std::string off_by(const Comparison& c) {
+  return fmt::format("{} is off by {:+.1f} % ± {:.1f} %", study_quantity(c.name).what, 100 * c.relative.value, 100 * c.relative.error);
+}
 
 /// Cells of one law, point and engine on one side of 1, nearest to 1 first.
 std::vector<std::vector<std::size_t>> chains(const StudyResult& study) {
@@ -39,7 +46,8 @@ std::vector<std::vector<std::size_t>> chains(const StudyResult& study) {
 }  // namespace
 
 const std::vector<std::string>& judged_quantities() {
-  static const std::vector<std::string> names = {"temperature", "rotational_energy", "collision_rate", "pressure", "stress_xz"};
+  static const std::vector<std::string> names = {"temperature", "rotational_energy", "collision_rate",
+                                                 "pressure",    "stress_xz",         "volume_fraction"};
   return names;
 }
 
@@ -50,7 +58,7 @@ CellVerdict cell_verdict(const CellResult& cell) {
   bool broken = false;
   for (const std::string& name : judged_quantities()) {
     const Comparison* c = cell.deviation(name);
-    if (!c || !std::isfinite(c->relative.value)) continue;
+    if (!c || !std::isfinite(c->relative.value) || is_given(*c)) continue;
     const bool known = std::isfinite(c->relative.error), here = known && beyond(*c);
     if (!known || !within(*c)) verdict.standing = Standing::undecided;
     if (broken && !here) continue;
@@ -81,17 +89,51 @@ std::vector<LawReach> law_reaches(const StudyResult& study) {
 }
 
 std::string sentence(const LawReach& reach, const std::string& parameter) {
-  std::string text = reach.law;
+  std::string text = fmt::format("{} ({})", reach.law, reach.engine);
   if (const std::string name = reach.point.name(parameter); !name.empty()) text += ", " + name;
-  text += reach.holds_to ? fmt::format(": holds to {:g}", *reach.holds_to) : std::string(": holds at none of the factors");
+  text += ": ";
+  if (reach.holds_to) text += fmt::format("holds to {:g}", *reach.holds_to);
   if (!reach.next) return text + ", the last that was tried";
-  text += fmt::format("; at {:g} ", *reach.next);
+  text += fmt::format("{}at {:g} ", reach.holds_to ? "; " : "", *reach.next);
   const CellVerdict& there = *reach.there;
   if (there.standing == Standing::failed) return text + "it could not be run to its end";
   if (!there.worst) return text + "nothing is known";
-  const Measured& off = there.worst->relative;
-  return text + fmt::format("{} is off by {:+.1f} % ± {:.1f} %{}", study_quantity(there.worst->name).what, 100 * off.value, 100 * off.error,
-                            there.standing == Standing::undecided ? ", which is too uncertain to tell" : "");
+  return text + off_by(*there.worst) + (there.standing == Standing::undecided ? ", which is too uncertain to tell" : "");
+}
+
+std::vector<std::string> law_digest(const StudyResult& study, const std::string& parameter) {
+  struct Tally {
+    std::string law;
+    double factor;
+    int cells = 0, count[std::size(standing_words)] = {};
+    std::optional<Comparison> worst;
+    StudyPoint where;
+  };
+  std::vector<Tally> tallies;
+  for (std::size_t i = 0; i < study.cells.size(); ++i) {
+    const StudyCell& of = study.grid.cells[i];
+    if (of.original()) continue;
+    const CellVerdict verdict = cell_verdict(study.cells[i]);
+    auto at = std::find_if(tallies.begin(), tallies.end(), [&](const Tally& t) { return t.law == of.law && t.factor == of.factor; });
+    if (at == tallies.end()) at = tallies.insert(tallies.end(), {.law = of.law, .factor = of.factor});
+    ++at->cells, ++at->count[static_cast<std::size_t>(verdict.standing)];
+    if (verdict.standing != Standing::broken || (at->worst && size_of(*at->worst) >= size_of(*verdict.worst))) continue;
+    at->worst = verdict.worst, at->where = of.point;
+  }
+  std::vector<std::string> sentences;
+  for (const Tally& t : tallies) {
+    std::string text = fmt::format("{} at {:g}:", t.law, t.factor);
+    for (const Standing standing : {Standing::holds, Standing::undecided, Standing::broken, Standing::failed}) {
+      const auto k = static_cast<std::size_t>(standing);
+      if (t.count[k] > 0) text += fmt::format("{} {} in {} of {}", text.back() == ':' ? "" : ",", standing_words[k], t.count[k], t.cells);
+    }
+    if (t.worst) {
+      const std::string where = t.where.name(parameter);
+      text += fmt::format("; most{}{}, where {}", where.empty() ? "" : " at ", where, off_by(*t.worst));
+    }
+    sentences.push_back(text);
+  }
+  return sentences;
 }
 
 }  // namespace scalebreak

@@ -11,8 +11,8 @@ namespace scalebreak {
 /// How far a law may be off before it counts as broken, relative.
 inline constexpr double broken_beyond = 0.05;
 
-/// What a law claims to keep, by which it is judged: temperature, rotational energy, collision rate, pressure and shear stress. Not
-/// coordination, which grows with the contact time under every law that softens.
+/// What a law claims to keep, by which it is judged: temperature, rotational energy, collision rate, pressure, shear stress, and the volume
+/// fraction where the flow finds it. Not coordination, which grows with the contact time under every law that softens.
 [[nodiscard]] const std::vector<std::string>& judged_quantities();
 
 enum class Standing {
@@ -42,7 +42,10 @@ struct LawReach {
 };
 [[nodiscard]] std::vector<LawReach> law_reaches(const StudyResult& study);
 
-/// "rps, volume fraction 0.4: holds to 0.01; at 0.0001 temperature is off by +12 % ± 1 %"; parameter is study.parameter.
+/// "rps (dem), volume fraction 0.4: holds to 0.01; at 0.0001 granular temperature is off by +12 % ± 1 %"; parameter is study.parameter.
 [[nodiscard]] std::string sentence(const LawReach& reach, const std::string& parameter);
+
+/// A sentence for each law and factor: in how many cells it holds and is broken, and where it is off most.
+[[nodiscard]] std::vector<std::string> law_digest(const StudyResult& study, const std::string& parameter);
 
 }  // namespace scalebreak
