@@ -27,9 +27,31 @@ TEST(PooledMean, WeighsScatterAndOwnErrorsByTheirFreedom) {
 }
 
 TEST(PooledMean, GoesByTheScatterOfRunsThatAreNotAlike) {
-  EXPECT_NEAR(pooled_mean({{1.0, 0.01}, {2.0, 0.01}}).error, 0.5, 1e-15);
-  EXPECT_NEAR(pooled_mean({{1.0, nothing}, {1.2, 0.2}}).error, 0.1, 1e-15);
+  constexpr double two = 12.706204736432095 / 1.96;  // Student's t of one degree of freedom at 97.5 %
+  EXPECT_NEAR(pooled_mean({{1.0, 0.01}, {2.0, 0.01}}).error, two * 0.5, 1e-9);
+  EXPECT_NEAR(pooled_mean({{1.0, nothing}, {1.2, 0.2}}).error, two * 0.1, 1e-9);
   EXPECT_NEAR(pooled_mean({{1.0, 0.2}, {nothing, nothing}}).error, 0.2, 1e-15);
+}
+
+TEST(PooledMean, OfFourRunsGoesByTheirScatter) {
+  const double scatter = std::sqrt(0.02 / 3 / 4), four = 3.182446305284263 / 1.96;
+  EXPECT_NEAR(pooled_mean({{1.0, 5}, {1.1, 5}, {1.1, 5}, {1.2, 5}}).error, scatter * four, 1e-9);
+}
+
+TEST(PooledMean, IsOffByMoreThanTwoErrorsAsOftenAsItSaysByScatterAlone) {
+  std::mt19937_64 random(8);
+  std::normal_distribution<double> normal;
+  for (const int count : {2, 4, 8}) {
+    int off = 0;
+    constexpr int trials = 20000;
+    for (int t = 0; t < trials; ++t) {
+      std::vector<Measured> runs;
+      for (int r = 0; r < count; ++r) runs.push_back({normal(random), nothing});
+      const Measured mean = pooled_mean(runs);
+      off += std::abs(mean.value) > 1.96 * mean.error;
+    }
+    EXPECT_NEAR(static_cast<double>(off) / trials, 0.05, 0.006) << count;
+  }
 }
 
 TEST(PooledMean, IsOffByMoreThanTwoErrorsAsOftenAsItSays) {

@@ -46,6 +46,16 @@ std::string how_judged() {
       100 * broken_beyond);
 }
 
+/// What no law that enlarges can keep, where there are such cells.
+std::string why_size_matters(const Input& input, const StudyResult& study) {
+  const bool sheared = input.cell.kind == CellKind::shear || input.cell.kind == CellKind::couette;
+  const bool enlarged = std::any_of(study.grid.cells.begin(), study.grid.cells.end(),
+                                    [](const StudyCell& cell) { return size_factor(*find_scaling_law(cell.law), cell.factor) > 1; });
+  if (!sheared || !enlarged) return "";
+  return "Spheres that are l times as large at the same shear rate collide at l times the speed: in a steady flow of collisions temperature and "
+         "stresses grow as l² whatever the forces are (+300 % at l = 2), and only a flow of lasting contacts, whose stress is given, keeps them.";
+}
+
 }  // namespace
 
 std::vector<std::string> write_study(const Input& input, const StudyResult& study, const std::string& title,
@@ -56,6 +66,7 @@ std::vector<std::string> write_study(const Input& input, const StudyResult& stud
   HtmlReport report("Where scaling laws break: " + title, how_judged());
   report.paragraph(
       fmt::format("Modelled: {}.{}", modelled(input), study.complete ? "" : " The study was interrupted: not all runs are there."));
+  if (const std::string why = why_size_matters(input, study); !why.empty()) report.paragraph(why);
   report.heading("Where they break");
   for (const std::string& each : law_digest(study, parameter)) report.paragraph(each + ".");
   report.heading("How far each law goes");

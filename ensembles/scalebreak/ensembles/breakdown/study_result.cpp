@@ -10,9 +10,6 @@
 namespace scalebreak {
 namespace {
 
-/// From so many runs on their scatter is an error to go by.
-constexpr std::size_t enough_to_scatter = 4;
-
 const Quantity* find(const std::vector<Quantity>& quantities, const std::string& name) {
   const auto at = std::find_if(quantities.begin(), quantities.end(), [&](const Quantity& each) { return each.name == name; });
   return at == quantities.end() ? nullptr : &*at;

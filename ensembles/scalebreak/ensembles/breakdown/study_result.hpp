@@ -35,7 +35,7 @@ struct CellResult {
 [[nodiscard]] CellResult cell_result(std::size_t cell, const std::vector<CellReplica>& replicas);
 
 /// The largest relative standard error of what a cell is to be known by: temperature, collision rate, pressure, and, where they are, rotational energy
-/// and shear stress. Infinite where one of them is not known: an error from the scatter of runs alone counts from four of them on.
+/// and shear stress. Infinite where one of them is not known.
 [[nodiscard]] double relative_error(const CellResult& result);
 
 struct StudyResult {

@@ -11,7 +11,7 @@
 
 namespace scalebreak {
 
-/// What a hybrid engine left to be integrated in patches of spheres.
+/// What a hybrid engine left to be integrated in patches of spheres; while soft spheres are all of the flow, it is one patch.
 struct PatchTotals {
   long begun = 0;             ///< patches
   long taken_back = 0;        ///< collisions of two that a third sphere disturbed after they had been put as instants

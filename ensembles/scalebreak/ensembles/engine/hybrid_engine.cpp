@@ -73,7 +73,7 @@ HybridEngine::HybridEngine(std::string_view saved, const Input& input, const Tab
     : input_(input), store_(store), setup_(setup) {
   bool soft = false;
   take_bytes(saved, count_), take_bytes(saved, keeps_sums_), take_bytes(saved, patch_time_), take_bytes(saved, soft);
-  take_bytes(saved, since_handover_), take_bytes(saved, stay_);
+  take_bytes(saved, since_handover_), take_bytes(saved, stay_), take_bytes(saved, soft_since_);
   go_through(before_, [&](auto& value) { take_bytes(saved, value); });
   if (soft) {
     soft_ = std::make_unique<DemEngine>(saved, setup_, true);
@@ -86,7 +86,7 @@ HybridEngine::HybridEngine(std::string_view saved, const Input& input, const Tab
 std::string HybridEngine::save() const {
   std::string bytes;
   put_bytes(bytes, count_), put_bytes(bytes, keeps_sums_), put_bytes(bytes, patch_time_), put_bytes(bytes, soft_ != nullptr);
-  put_bytes(bytes, since_handover_), put_bytes(bytes, stay_);
+  put_bytes(bytes, since_handover_), put_bytes(bytes, stay_), put_bytes(bytes, soft_since_);
   EngineTotals before = before_;
   go_through(before, [&](const auto& value) { put_bytes(bytes, value); });
   return bytes + engine().save();
@@ -106,6 +106,15 @@ bool HybridEngine::is_crowded(double since) const {
 
 bool HybridEngine::is_thin() const { return crowded_part(soft_->system()) < thin_share; }
 
+EngineTotals HybridEngine::running_totals() const {
+  EngineTotals totals = engine().totals();
+  if (!soft_) return totals;
+  totals.patches.emplace();
+  totals.patches->contact_starts = totals.contact_starts;
+  totals.patches->sphere_time = static_cast<double>(count_) * (soft_->time() - soft_since_);
+  return totals;
+}
+
 void HybridEngine::hand_over() {
   const System state = flying_->soft_system();
   before_ = sum(before_, flying_->totals());
@@ -115,11 +124,12 @@ void HybridEngine::hand_over() {
   flying_.reset();
   soft_ = std::make_unique<DemEngine>(state, setup_, true);
   soft_->keep_sums(keeps_sums_);
+  soft_since_ = soft_->time();
 }
 
 void HybridEngine::take_back() {
   const System state = soft_->system();
-  before_ = sum(before_, soft_->totals());
+  before_ = sum(before_, running_totals());
   ++before_.handovers;
   since_handover_ = 0;
   soft_.reset();
@@ -147,7 +157,7 @@ void HybridEngine::advance_to(double time) {
 }
 
 EngineTotals HybridEngine::totals() const {
-  EngineTotals totals = sum(before_, engine().totals());
+  EngineTotals totals = sum(before_, running_totals());
   totals.dissipated = {};  // not known of what the soft-sphere engine did
   return totals;
 }

@@ -30,6 +30,8 @@ class HybridEngine final : public FlowEngine {
   [[nodiscard]] const FlowEngine& engine() const { return soft_ ? static_cast<const FlowEngine&>(*soft_) : *flying_; }
   [[nodiscard]] bool is_crowded(double since) const;
   [[nodiscard]] bool is_thin() const;
+  /// Of what runs now. All that soft spheres do counts as one patch of the whole flow.
+  [[nodiscard]] EngineTotals running_totals() const;
   void hand_over();
   void take_back();
 
@@ -42,6 +44,7 @@ class HybridEngine final : public FlowEngine {
   std::unique_ptr<DemEngine> soft_;
   EngineTotals before_;    ///< of engines that have handed over
   double patch_time_ = 0;  ///< at the last look [s]
+  double soft_since_ = 0;  ///< [s]
   /// Samples since the last handover, and how many soft spheres stay at least: twice as many after each flight that was crowded at once.
   long since_handover_ = 0, stay_ = 1;
 };
