@@ -54,16 +54,15 @@ void add_contact(std::vector<Key>& list) {
   add("adhesion_range", "where a JKR contact ends: tear-off fold, force minimum, zero overlap", {"full", "pull_off", "touch"},
       &Input::contact, &ContactKind::range);
   add("damping_on", "what the normal dashpot grows with", {"overlap", "contact_radius"}, &Input::contact, &ContactKind::damping_on);
-  add("tangential", "tangential force law", {"none", "linear", "mindlin"}, &Input::surface, &SurfaceKind::tangential);
+  add("tangential", "tangential force law", words_of(tangential_words), &Input::surface, &SurfaceKind::tangential);
   add("tangential_radius", "what Mindlin's spring grows with", {"overlap", "contact_radius"}, &Input::surface,
       &SurfaceKind::tangential_radius);
   add("torque_arm", "lever of the tangential force: the radius, or the distance to the contact point", {"radius", "contact"},
       &Input::surface, &SurfaceKind::torque_arm);
-  add("rolling", "rolling resistance", {"none", "cdt", "epsd", "epsd2", "ar", "sds"}, &Input::surface, &SurfaceKind::rolling);
-  add("attraction", "forces of the liquid", {"none", "capillary", "viscous", "capillary+viscous"}, &Input::surface,
-      &SurfaceKind::attraction);
-  add("attraction_range", "where they act: while the solids touch, or from first touch until the bridge ruptures", {"contact", "bridge"},
-      &Input::surface, &SurfaceKind::attraction_range);
+  add("rolling", "rolling resistance", words_of(rolling_words), &Input::surface, &SurfaceKind::rolling);
+  add("attraction", "forces of the liquid", words_of(attraction_words), &Input::surface, &SurfaceKind::attraction);
+  add("attraction_range", "where they act: while the solids touch, or from first touch until the bridge ruptures",
+      words_of(attraction_range_words), &Input::surface, &SurfaceKind::attraction_range);
 }
 
 std::vector<Key> make_keys() {

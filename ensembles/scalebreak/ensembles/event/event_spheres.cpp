@@ -1,5 +1,6 @@
 #include <scalebreak/ensembles/event/event_spheres.hpp>
 
+#include <scalebreak/ensembles/event/event_spheres_balls.hpp>
 #include <scalebreak/ensembles/event/event_spheres_loop.hpp>
 #include <scalebreak/ensembles/event/event_spheres_patch_state.hpp>
 #include <scalebreak/ensembles/event/event_spheres_patches.hpp>

@@ -89,7 +89,7 @@ class EventSpheres {
   void reorder();
   void watch_for_collapse();
 
-  // event_spheres_patches.hpp
+  // event_spheres_patches.hpp, and what is about balls: event_spheres_balls.hpp
   [[nodiscard]] bool patched(std::uint32_t i) const { return groups_ && patch_of_[i] != no_patch; }
   /// Is it in a contact that was put as an instant?
   [[nodiscard]] bool busy(std::uint32_t i) const { return groups_ && encounter_[i].end > now_; }
