@@ -11,7 +11,11 @@ namespace {
 
 std::string estimate(const Input& input) {
   // A bisection tries about ten steps.
-  const double bisections = static_cast<double>(stability_inputs(input).size() * stability_criteria().size() *
+  if (!input.flow)
+    return fmt::format("{} bisections of about ten steps, {} collisions each, below 1 s each",
+                       stability_inputs(input).size() * stability_criteria(false).size() * input.study_integrators.size(),
+                       input.tradeoff.phases);
+  const double bisections = static_cast<double>(stability_inputs(input).size() * stability_criteria(true).size() *
                                                 input.study_integrators.size() * input.run.replicas);
   return fmt::format("{:.0f} bisections of about ten trials each, {:g} collisions of each sphere a trial", bisections,
                      collisions_of_a_trial);
@@ -41,11 +45,12 @@ void run(Options& options) {
 }  // namespace
 
 void add_stability(CLI::App& app, Options& options, std::function<void()>& job) {
-  CLI::App* command = app.add_subcommand("stability", "the largest stable step of each scaling law and factor, beside Rayleigh's");
+  CLI::App* command = app.add_subcommand(
+      "stability", "the largest stable step of each scaling law and factor, of a flow or of a collision, beside Rayleigh's");
   add_options(*command, options);
   command->callback([&] {
     job = [&options] {
-      options.flows = true;
+      options.either = true;
       run(options);
     };
   });

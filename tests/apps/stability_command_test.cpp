@@ -45,12 +45,31 @@ TEST_F(StabilityCommand, PutsLinearContactsBesideTheirOscillation) {
   EXPECT_GT(j["records"][0]["oscillation_step"].get<double>(), 0);
 }
 
-TEST_F(StabilityCommand, ChecksWithoutWorkingAndRefusesPairs) {
+TEST_F(StabilityCommand, ChecksWithoutWorking) {
   const ProgramRun checked = run({"stability", file, "--check"});
   EXPECT_EQ(checked.status, 0);
   EXPECT_THAT(checked.out, testing::HasSubstr("2 bisections"));
-  const std::string pair = scene("pair.toml", "[impact]\nnormal_speed = 0.3\n");
-  EXPECT_EQ(run({"stability", pair}).status, 2);
+}
+
+TEST_F(StabilityCommand, FindsTheStepAtWhichACollisionIsOff) {
+  const std::string pair = scene("pair.toml",
+                                 "[material]\nsurface_energy = 0\n[contact]\nnormal = \"hertz\"\n[impact]\nnormal_speed = 0.3\n"
+                                 "[study]\nlaws = [\"sup\"]\nfactors = [4]\nintegrators = [\"verlet\", \"synchronized\"]\n");
+  const ProgramRun result = run({"stability", pair, "--json", "--quiet", "--out", out});
+  ASSERT_EQ(result.status, 0) << result.err;
+  const json j = result.json();
+  EXPECT_EQ(j["criteria"][0]["name"], "motion_error");
+  ASSERT_EQ(j["records"].size(), 4u);
+  for (const json& record : j["records"]) {
+    EXPECT_LE(record["value_below"].get<double>(), 1e-2);
+    EXPECT_GT(record["value_above"].get<double>(), 1e-2);
+    EXPECT_GT(record["steps_per_contact"].get<double>(), 2);
+  }
+  // SUP by 4 is the same motion in units four times as long.
+  EXPECT_NEAR(j["records"][1]["step_ratio"].get<double>(), 4, 1e-9);
+  // A dashpot that sees the velocity of half a step before is off by more.
+  EXPECT_LT(j["records"][0]["step"].get<double>(), j["records"][2]["step"].get<double>());
+  EXPECT_TRUE(std::filesystem::exists(out + "/motion_error.gp"));
 }
 
 }  // namespace

@@ -68,6 +68,7 @@ const std::map<std::string, Bounds, std::less<>>& all_bounds() {
       {"study.factors", {1e-8, 1e3}},
       {"study.speeds", {1e-9, 1e4}},
       {"study.energy_growth", {1e-9, 1}},
+      {"study.motion_error", {1e-9, 1}},
       {"study.step_fractions", {1e-4, 1}},
       {"study.tolerances", {1e-11, 1e-2}},
       {"study.phases", {1, 10000}},

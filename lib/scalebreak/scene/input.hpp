@@ -53,6 +53,7 @@ struct Input {
   std::vector<double> study_speeds;  ///< empty: about the sticking speed
   std::vector<Integrator> study_integrators = {Integrator::verlet};
   double study_energy_growth = 1e-3;  ///< that a stable step may show per collision of each sphere, relative
+  double study_motion_error = 1e-2;   ///< that a stable step may make in a collision, over its speed
   TradeoffInput tradeoff;            ///< of [study] too
   StudyInput study;                  ///< the same
   double tolerance = 1e-8;

@@ -75,6 +75,10 @@ void add_study(std::vector<Key>& list) {
   list.push_back(number("study", "energy_growth", "-",
                         "relative growth of energy per collision of each sphere up to which a step counts as stable",
                         [](Input& input) -> double& { return input.study_energy_growth; }));
+  list.push_back(
+      number("study", "motion_error", "-",
+             "largest error of a body's velocity or surface speed, over the speed of a collision, up to which a step counts as stable",
+             [](Input& input) -> double& { return input.study_motion_error; }));
   list.push_back(choices(
       "study", "methods", "of tradeoff: what is compared; empty: all that suit the scene", words_of(method_words), 0,
       std::size(method_words),

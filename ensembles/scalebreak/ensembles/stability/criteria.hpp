@@ -16,7 +16,7 @@ struct StabilityCriterion {
   [[nodiscard]] bool holds(const StepTrial& trial, const Input& input) const { return trial.stopped.empty() && of(trial) <= input.*limit; }
 };
 
-/// All criteria: a step is sought for each.
-[[nodiscard]] std::span<const StabilityCriterion> stability_criteria();
+/// All criteria of flows, or of collisions: a step is sought for each.
+[[nodiscard]] std::span<const StabilityCriterion> stability_criteria(bool flow);
 
 }  // namespace scalebreak

@@ -28,6 +28,9 @@ Measured ratio(const StabilityStudy& study, const StabilityRecord& record) {
 
 double steps_per_contact(const StabilityRecord& record) { return record.contact.time / record.step().value; }
 
+/// What the trials of a study are told by.
+const StabilityCriterion& of_trials(const StabilityStudy& study) { return stability_criteria(study.flow).front(); }
+
 std::string method_of(const StabilityRecord& record) { return fmt::format("{}, {}", record.law, record.integrator); }
 
 /// The numbers of a record, in the order of stability.csv.
@@ -76,11 +79,11 @@ Plot step_plot(const StabilityStudy& study) {
   return plot;
 }
 
-Plot growth_plot(const StabilityStudy& study) {
-  Plot plot{"energy_growth",
-            "Growth of energy over the step",
+Plot trial_plot(const StabilityStudy& study) {
+  Plot plot{of_trials(study).name,
+            study.flow ? "Growth of energy over the step" : "Error of a collision over the step",
             "step / Rayleigh time [-]",
-            "growth per collision of each sphere [-]",
+            study.flow ? "growth per collision of each sphere [-]" : "largest error over the speed [-]",
             true,
             true,
             {}};
@@ -98,6 +101,11 @@ Plot growth_plot(const StabilityStudy& study) {
 }
 
 std::string introduction(const Input& input, const StabilityStudy& study) {
+  if (!study.flow)
+    return fmt::format(
+        "One collision at {:g} m/s. A step counts as stable while no body's velocity or surface speed after it is off by more than {:g} of that "
+        "speed, at {} points of a step at which it begins, and all part that should. It is bisected to 2 %.",
+        study.speed, input.study_motion_error, input.tradeoff.phases);
   return fmt::format(
       "{} spheres that move at {:g} m/s (root mean square) at the start, made elastic: no dissipation, adhesion, friction, shear or gravity. "
       "A step counts as stable while the energy grows by at most {:g} per collision of each sphere, over {:g} collisions of each. It is "
@@ -122,13 +130,13 @@ std::string stability_csv(const StabilityStudy& study) {
 }
 
 std::string trials_csv(const StabilityStudy& study) {
-  Csv csv({"law", "factor [-]", "integrator", "criterion", "seed", "fraction_of_rayleigh [-]", "step [s]", "energy_growth [-]",
-           "collisions [-]", "stopped"});
+  Csv csv({"law", "factor [-]", "integrator", "criterion", "seed", "fraction_of_rayleigh [-]", "step [s]",
+           fmt::format("{} [-]", of_trials(study).name), "collisions [-]", "stopped"});
   for (const StabilityRecord& r : study.records) {
     for (std::size_t seed = 0; seed < r.seeds.size(); ++seed) {
       for (const StepTrial& trial : r.seeds[seed].tried) {
         csv.add({r.law, r.factor, r.integrator, r.criterion, static_cast<double>(seed), trial.fraction, trial.step,
-                 trial.stopped.empty() ? CsvCell(trial.energy_growth) : CsvCell(), trial.collisions, trial.stopped});
+                 trial.stopped.empty() ? CsvCell(of_trials(study).of(trial)) : CsvCell(), trial.collisions, trial.stopped});
       }
     }
   }
@@ -137,7 +145,7 @@ std::string trials_csv(const StabilityStudy& study) {
 
 json stability_json(const Input& input, const StabilityStudy& study) {
   json criteria = json::array(), records = json::array();
-  for (const StabilityCriterion& criterion : stability_criteria())
+  for (const StabilityCriterion& criterion : stability_criteria(study.flow))
     criteria.push_back(
         {{"name", criterion.name}, {"unit", criterion.unit}, {"meaning", criterion.meaning}, {"limit", input.*criterion.limit}});
   for (const StabilityRecord& r : study.records) {
@@ -146,7 +154,7 @@ json stability_json(const Input& input, const StabilityStudy& study) {
       for (const StepTrial& trial : r.seeds[seed].tried)
         trials.push_back({{"seed", seed},
                           {"fraction_of_rayleigh", trial.fraction},
-                          {"energy_growth", trial.stopped.empty() ? json(trial.energy_growth) : json()},
+                          {of_trials(study).name, trial.stopped.empty() ? json(of_trials(study).of(trial)) : json()},
                           {"stopped", trial.stopped}});
     }
     json record = {{"law", r.law}, {"factor", r.factor}, {"integrator", r.integrator}, {"criterion", r.criterion}};
@@ -172,7 +180,7 @@ std::string in_words(const StabilityStudy& study, const StabilityRecord& r) {
 std::vector<std::string> write_stability_report(const Input& input, const StabilityStudy& study, const std::filesystem::path& out) {
   write_file(out / "stability.csv", stability_csv(study));
   write_file(out / "trials.csv", trials_csv(study));
-  const std::vector<Plot> plots = {step_plot(study), growth_plot(study)};
+  const std::vector<Plot> plots = {step_plot(study), trial_plot(study)};
   std::vector<std::string> missing;
   for (const Plot& plot : plots) {
     if (!draw(plot, out)) missing.push_back(plot.name);
@@ -180,7 +188,8 @@ std::vector<std::string> write_stability_report(const Input& input, const Stabil
   HtmlReport report("The largest stable step", introduction(input, study));
   report.figure(out / "largest_step.svg",
                 "Bars: half the bracket of the bisection, or the standard error over seeds, whichever is larger.");
-  report.figure(out / "energy_growth.svg", "Every trial that went on to its end and whose energy grew.");
+  report.figure(out / (plots.back().name + ".svg"),
+                study.flow ? "Every trial that went on to its end and whose energy grew." : "Every trial in which all parted that should.");
   std::vector<std::vector<std::string>> rows;
   for (const StabilityRecord& r : study.records)
     rows.push_back({r.law, fmt::format("{:g}", r.factor), r.integrator, fmt::format("{:.4g} ± {:.1g}", r.step().value, r.step().error),

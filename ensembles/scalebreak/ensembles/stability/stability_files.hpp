@@ -20,7 +20,7 @@ namespace scalebreak {
 /// A record as a person reads it.
 [[nodiscard]] std::string in_words(const StabilityStudy& study, const StabilityRecord& record);
 
-/// Writes stability.csv, trials.csv, the plots largest_step and energy_growth, and index.html. Gives the names of plots that could not be
+/// Writes stability.csv, trials.csv, the plots largest_step and energy_growth or motion_error, and index.html. Gives the names of plots that could not be
 /// drawn.
 [[nodiscard]] std::vector<std::string> write_stability_report(const Input& input, const StabilityStudy& study,
                                                               const std::filesystem::path& out);

@@ -15,6 +15,8 @@
 #include <scalebreak/ensembles/engine/flow_start.hpp>
 #include <scalebreak/ensembles/engine/step_choice.hpp>
 #include <scalebreak/ensembles/stability/elastic_scene.hpp>
+#include <scalebreak/ensembles/tradeoff/collision_methods.hpp>
+#include <scalebreak/ensembles/tradeoff/stepped_collision.hpp>
 
 namespace scalebreak {
 namespace {
@@ -42,9 +44,23 @@ struct Job {
 
 double smallest_radius(const System& system) { return *std::min_element(system.radius.begin(), system.radius.end()); }
 
+/// A collision at one step.
+StepTrial try_collision(const CollisionScene& scene, Integrator integrator, double fraction) {
+  const CollisionMethod& method = collision_methods()[static_cast<std::size_t>(integrator)];
+  const CollisionPoint point = measure_collision(scene, method, fraction, static_cast<int>(scene.input.tradeoff.phases));
+  StepTrial trial{.fraction = fraction, .step = point.step, .collisions = 1, .motion_error = point.motion_largest};
+  if (point.unparted > 0) trial.stopped = fmt::format("in {} of {} collisions the bodies did not part", point.unparted, point.phases);
+  return trial;
+}
+
 LargestStep bisect(const Job& job) {
   Input input = *job.input;
   input.run.integrator = job.integrator;
+  if (!input.flow) {
+    const CollisionScene scene = collision_scene(input);
+    return largest_step([&](double fraction) { return try_collision(scene, job.integrator, fraction); },
+                        [&](const StepTrial& trial) { return job.criterion->holds(trial, input); });
+  }
   const FlowStart start = flow_start(input, job.seed);
   const double rayleigh = rayleigh_step(dem_setup(input, 0, 1), smallest_radius(start.system));
   return largest_step(
@@ -56,7 +72,22 @@ LargestStep bisect(const Job& job) {
       [&](const StepTrial& trial) { return job.criterion->holds(trial, input); });
 }
 
+/// The same of a collision.
+StabilityRecord collision_record(const Input& input, Integrator integrator, const StabilityCriterion& criterion) {
+  const CollisionScene scene = collision_scene(input);
+  StabilityRecord record{.law = input.scaling_law,
+                         .factor = input.scaling_factor,
+                         .integrator = integrator_words[static_cast<std::size_t>(integrator)],
+                         .criterion = criterion.name,
+                         .rayleigh = step_of(scene, 1),
+                         .contact = {},
+                         .seeds = std::vector<LargestStep>(1)};
+  if (scene.reference.last_separation > 0) record.contact.time = scene.reference.last_separation - scene.reference.first_touch;
+  return record;
+}
+
 StabilityRecord record_of(const Input& input, Integrator integrator, const StabilityCriterion& criterion) {
+  if (!input.flow) return collision_record(input, integrator, criterion);
   const FlowStart start = flow_start(input);
   const StepScene scene = step_scene(input, start.system, start.speed);
   const DemSetup setup = dem_setup(input, 0, 1);
@@ -73,14 +104,21 @@ StabilityRecord record_of(const Input& input, Integrator integrator, const Stabi
   return record;
 }
 
+const StabilityCriterion& criterion_of(const StabilityRecord& record) {
+  for (const bool flow : {true, false}) {
+    for (const StabilityCriterion& criterion : stability_criteria(flow)) {
+      if (record.criterion == criterion.name) return criterion;
+    }
+  }
+  throw WorkError(fmt::format("there is no criterion {}", record.criterion));
+}
+
 /// The criterion's number at an end of the bracket, of the seeds whose trial went on to its end.
 double value_at(const StabilityRecord& record, std::optional<StepTrial> LargestStep::*end) {
-  const auto criteria = stability_criteria();
-  const auto criterion = std::find_if(criteria.begin(), criteria.end(), [&](const auto& each) { return record.criterion == each.name; });
   std::vector<double> values;
   for (const LargestStep& seed : record.seeds) {
     const std::optional<StepTrial>& trial = seed.*end;
-    if (trial && trial->stopped.empty()) values.push_back(criterion->of(*trial));
+    if (trial && trial->stopped.empty()) values.push_back(criterion_of(record).of(*trial));
   }
   return over_seeds(values).value;
 }
@@ -126,7 +164,7 @@ const StabilityRecord& StabilityStudy::original_of(const StabilityRecord& record
 }
 
 std::vector<Input> stability_inputs(const Input& input, int* skipped) {
-  const auto under = [scene = elastic_scene(input)](const std::string& law, double factor) {
+  const auto under = [scene = input.flow ? elastic_scene(input) : input](const std::string& law, double factor) {
     Input scaled = scene;
     scaled.scaling_law = law, scaled.scaling_factor = factor;
     return scaled;
@@ -145,19 +183,24 @@ std::vector<Input> stability_inputs(const Input& input, int* skipped) {
 }
 
 StabilityStudy run_stability(const Input& input, int threads, const std::function<void(double)>& progress) {
-  if (input.particles.file.empty() && input.particles.speed == 0)
+  if (input.flow && input.particles.file.empty() && input.particles.speed == 0)
     throw InputError("particles.speed: found 0, and a step is tried on collisions; allowed: above 0");
-  StabilityStudy study;
+  StabilityStudy study{.flow = input.flow, .records = {}};
   const std::vector<Input> inputs = stability_inputs(input, &study.skipped);
-  const FlowStart original = flow_start(inputs.front());
-  study.spheres = original.system.count(), study.speed = original.speed;
+  if (input.flow) {
+    const FlowStart original = flow_start(inputs.front());
+    study.spheres = original.system.count(), study.speed = original.speed;
+  } else {
+    const CollisionScene original = collision_scene(inputs.front());
+    study.spheres = original.moving.bodies.size(), study.speed = original.speed;
+  }
   std::vector<Job> jobs;
-  study.records.reserve(inputs.size() * stability_criteria().size() * input.study_integrators.size());  // jobs point into it
-  for (const StabilityCriterion& criterion : stability_criteria()) {
+  study.records.reserve(inputs.size() * stability_criteria(input.flow).size() * input.study_integrators.size());  // jobs point into it
+  for (const StabilityCriterion& criterion : stability_criteria(input.flow)) {
     for (const Integrator integrator : input.study_integrators) {
       for (const Input& scaled : inputs) {
         StabilityRecord& record = study.records.emplace_back(record_of(scaled, integrator, criterion));
-        for (std::size_t seed = 0; seed < input.run.replicas; ++seed) jobs.push_back({&record, &criterion, &scaled, integrator, seed});
+        for (std::size_t seed = 0; seed < record.seeds.size(); ++seed) jobs.push_back({&record, &criterion, &scaled, integrator, seed});
       }
     }
   }

@@ -38,21 +38,22 @@ struct StabilityRecord {
 };
 
 struct StabilityStudy {
+  bool flow = true;                      ///< false: of a collision
   std::vector<StabilityRecord> records;  ///< for each criterion and integrator first the original's, law "none" at 1
   std::size_t spheres = 0;               ///< of the original
-  double speed = 0;                      ///< root of the mean squared speed at the start [m/s]
+  double speed = 0;                      ///< root of the mean squared speed at the start; of a collision its largest relative speed [m/s]
   int skipped = 0;                       ///< pairs of law and factor that do not go together
 
   /// Of the original, by the same criterion and integrator.
   [[nodiscard]] const StabilityRecord& original_of(const StabilityRecord& record) const;
 };
 
-/// The pairs of law and factor of [study] that go together, after the original, as a scaled input each.
+/// The pairs of law and factor of [study] that go together, after the original, as a scaled input each; a flow made elastic.
 [[nodiscard]] std::vector<Input> stability_inputs(const Input& input, int* skipped = nullptr);
 
-/// Bisects the largest stable step of the input's flow made elastic (elastic_scene), for each criterion, integrator of [study], law and
-/// factor, and as many seeds as run.replicas. The same bits for any number of threads (0: all). Throws InputError where the spheres do
-/// not move at the start.
+/// Bisects the largest stable step for each criterion, integrator of [study], law and factor: of the input's flow made elastic (elastic_scene),
+/// for as many seeds as run.replicas; or of its collision as it is, at study.phases points of a step. The same bits for any number of threads
+/// (0: all). Throws InputError where the spheres do not move at the start, and what `collision_scene` throws.
 [[nodiscard]] StabilityStudy run_stability(const Input& input, int threads, const std::function<void(double)>& progress = {});
 
 }  // namespace scalebreak

@@ -6,13 +6,14 @@
 
 namespace scalebreak {
 
-/// What became of a flow at one step.
+/// What became of a flow, or of a collision, at one step.
 struct StepTrial {
   double fraction = 0;    ///< of the Rayleigh time
   double step = 0;        ///< [s]
   double collisions = 0;  ///< of each sphere, mean
   double energy_growth =
       0;  ///< logarithm of the energy (kinetic and elastic) at the end over that at the start, per collision of each sphere
+  double motion_error = 0;   ///< of a collision: the largest over the phases of a step, CollisionError::motion
   std::string stopped = {};  ///< why it could not go on, a sentence; empty: it went on to the end
 };
 
