@@ -25,6 +25,7 @@ Input scene_of(const Input& study) {
   scene.study = plain.study, scene.study_laws = plain.study_laws, scene.study_factors = plain.study_factors;
   scene.study_speeds = plain.study_speeds, scene.study_integrators = plain.study_integrators;
   scene.study_energy_growth = plain.study_energy_growth, scene.tradeoff = plain.tradeoff;
+  scene.advise = plain.advise;
   scene.output = plain.output, scene.output.formats.clear();
   scene.scaling_law = "none", scene.scaling_factor = 1;
   scene.run.replicas = 1;
