@@ -28,6 +28,8 @@ struct Options {
   bool either = false;                      ///< takes both; without a file, the default pair
   std::string engine = "auto";              ///< of `run`
   bool resume = false;                      ///< of `run`
+  std::vector<std::string> studies;         ///< of `advise`, to fit to
+  std::string model;                        ///< of `advise`
 
   /// The input of one file, or of none. Throws InputError for a flow if the command takes none.
   [[nodiscard]] Input input(const std::optional<std::string>& file) const;
@@ -70,6 +72,7 @@ void add_reproduce(CLI::App& app, Options& options, std::function<void()>& job);
 void add_run(CLI::App& app, Options& options, std::function<void()>& job);
 void add_tradeoff(CLI::App& app, Options& options, std::function<void()>& job);
 void add_breakdown(CLI::App& app, Options& options, std::function<void()>& job);
+void add_advise(CLI::App& app, Options& options, std::function<void()>& job);
 void add_compare(CLI::App& app, Options& options, std::function<void()>& job);
 void add_stability(CLI::App& app, Options& options, std::function<void()>& job);
 

@@ -29,6 +29,7 @@ int run(int argc, char** argv) {
   add_run(app, options, job);
   add_compare(app, options, job);
   add_breakdown(app, options, job);
+  add_advise(app, options, job);
   add_stability(app, options, job);
   add_tradeoff(app, options, job);
   try {

@@ -77,6 +77,12 @@ const std::map<std::string, Bounds, std::less<>>& all_bounds() {
       {"study.target_error", {0, 1}},
       {"study.most_replicas", {1, 1000}},
       {"study.budget_seconds", {0, 1e8}},
+      {"advise.tolerance", {0, 1, false}},
+      {"advise.speed", {0, 1e4}},
+      {"advise.shear_rate", {0, 1e9}},
+      {"advise.volume_fraction", {0, 0.6}},
+      {"advise.pressure", {0, 1e12}},
+      {"advise.size", {0, 1e2}},
       {"numerics.tolerance", {1e-13, 1e-6}},
       {"numerics.table_tolerance", {1e-7, 1e-2}},
   };

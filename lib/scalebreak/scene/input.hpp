@@ -9,6 +9,7 @@
 #include <scalebreak/contact/surface_kind.hpp>
 #include <scalebreak/material/material.hpp>
 #include <scalebreak/scaling/scaled_pair.hpp>
+#include <scalebreak/scene/advise_input.hpp>
 #include <scalebreak/scene/flow_input.hpp>
 #include <scalebreak/scene/study_input.hpp>
 #include <scalebreak/scene/tradeoff_input.hpp>
@@ -54,8 +55,9 @@ struct Input {
   std::vector<Integrator> study_integrators = {Integrator::verlet};
   double study_energy_growth = 1e-3;  ///< that a stable step may show per collision of each sphere, relative
   double study_motion_error = 1e-2;   ///< that a stable step may make in a collision, over its speed
-  TradeoffInput tradeoff;            ///< of [study] too
-  StudyInput study;                  ///< the same
+  TradeoffInput tradeoff;             ///< of [study] too
+  StudyInput study;                   ///< the same
+  AdviseInput advise;
   double tolerance = 1e-8;
   double table_tolerance = 1e-6;
 

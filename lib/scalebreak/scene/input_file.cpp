@@ -134,6 +134,9 @@ std::vector<Body> blank_bodies(std::size_t count) {
   return bodies;
 }
 
+/// A section that says nothing is not written: few inputs are for advice.
+bool says_nothing(const Key& key, const Input& input) { return key.section == "advise" && input.advise == AdviseInput{}; }
+
 /// Keys of other scenes, what nothing uses, and those of a material that another one overrules.
 bool left_out(const Key& key, const Input& input) {
   if (input.flow && !holds_in_flow(input, key.dotted())) return true;
@@ -195,7 +198,7 @@ Input resolve_input(const std::vector<Assignment>& all) {
 std::string write_input(const Input& input) {
   std::string text, section;
   for (const Key& key : keys()) {
-    if (left_out(key, input)) continue;
+    if (left_out(key, input) || says_nothing(key, input)) continue;
     if (key.section != section) {
       text += fmt::format("{}[{}]\n", section.empty() ? "" : "\n", key.section);
       section = key.section;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include <scalebreak/scene/advise_keys.hpp>
 #include <scalebreak/scene/flow_keys.hpp>
 #include <scalebreak/scene/key_makers.hpp>
 #include <scalebreak/scene/study_keys.hpp>
@@ -106,6 +107,7 @@ std::vector<Key> make_keys() {
   add_run(list);
   add_output(list);
   add_study(list);
+  add_advise(list);
   list.push_back(number("numerics", "tolerance", "-", "of the restitution and the relative contact time of an exact collision",
                         [](Input& input) -> double& { return input.tolerance; }));
   list.push_back(number("numerics", "table_tolerance", "-", "of a collision table, in e^2 and in relative contact time",

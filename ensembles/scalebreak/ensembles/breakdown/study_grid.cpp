@@ -25,6 +25,7 @@ Input scene_of(const Input& study) {
   scene.study = plain.study, scene.study_laws = plain.study_laws, scene.study_factors = plain.study_factors;
   scene.study_speeds = plain.study_speeds, scene.study_integrators = plain.study_integrators;
   scene.study_energy_growth = plain.study_energy_growth, scene.study_motion_error = plain.study_motion_error, scene.tradeoff = plain.tradeoff;
+  scene.advise = plain.advise;
   scene.output = plain.output, scene.output.formats.clear();
   scene.scaling_law = "none", scene.scaling_factor = 1;
   scene.run.replicas = 1;
@@ -100,6 +101,17 @@ std::uint64_t hash_of(const std::string& text) {
   return hash;
 }
 
+/// The keys of a cell that say what it is: not those of other commands, which later versions may add to.
+std::string identity_of(const Input& cell) {
+  std::string text;
+  for (const Assignment& item : read_toml(write_input(cell), "cell")) {
+    const std::string section = item.key.substr(0, item.key.find('.'));
+    if (section == "study" || section == "advise" || section == "output") continue;
+    text += item.key + " = " + to_toml(item.value) + "\n";
+  }
+  return text;
+}
+
 /// Does this engine suit this cell? A hybrid without tables would be soft spheres in patches.
 bool suits(const std::string& engine, const Input& input) {
   try {
@@ -150,7 +162,7 @@ StudyGrid study_grid(const Input& input) {
             scene, all, fmt::format("study, {}{}{} at {:g}", point.name(input.study.parameter), changes.empty() ? "" : ", ", law, factor));
         cell.choice = choose_engine(engine, cell.input, 1, 0);
         if (!suits(cell.choice.engine, cell.input)) return void(++grid.skipped);
-        cell.key = hash_of(cell.choice.engine + "\n" + write_input(cell.input));
+        cell.key = hash_of(cell.choice.engine + "\n" + identity_of(cell.input));
         const bool there = std::any_of(grid.cells.begin(), grid.cells.end(), [&](const StudyCell& other) { return other.key == cell.key; });
         if (!there) grid.cells.push_back(std::move(cell));  // another word for the engine, or "none" at 1
       };

@@ -1,0 +1,36 @@
+#include <scalebreak/ensembles/prediction/deviation_model.hpp>
+
+#include <cmath>
+
+namespace scalebreak {
+namespace {
+
+/// Spheres stick below their sticking speed: the share of impacts grows as its square where few do.
+double sticking(const ScaleGroups& groups) { return 1 / (groups.impact_over_sticking * groups.impact_over_sticking); }
+
+}  // namespace
+
+Terms terms_of(const ScaleGroups& original, const ScaleGroups& scaled) {
+  return {std::log((1 + scaled.busy) / (1 + original.busy)), scaled.jamming_share * std::log((1 + scaled.busy) / (1 + original.busy)),
+          scaled.torque_lack * std::log(scaled.size), std::log((1 + sticking(scaled)) / (1 + sticking(original)))};
+}
+
+double size_excess(const std::string& quantity) { return quantity == "collision_rate" ? 1 : 2; }
+
+double size_term(double excess, const ScaleGroups& scaled) { return excess * scaled.collisional_share * std::log(scaled.size); }
+
+Prediction predict(const QuantityModel& model, const ScaleGroups& original, const ScaleGroups& scaled) {
+  const Terms terms = terms_of(original, scaled);
+  Prediction prediction{.size = size_term(size_excess(model.quantity), scaled)};
+  double logarithm = prediction.size, variance = 0;
+  for (std::size_t i = 0; i < term_count; ++i) {
+    prediction.parts[i] = model.coefficients[i] * terms[i];
+    logarithm += prediction.parts[i];
+    for (std::size_t j = 0; j < term_count; ++j) variance += terms[i] * model.covariance[i][j] * terms[j];
+  }
+  variance += std::pow(model.scatter * logarithm, 2);
+  prediction.deviation = {std::expm1(logarithm), std::exp(logarithm) * std::sqrt(variance)};
+  return prediction;
+}
+
+}  // namespace scalebreak
