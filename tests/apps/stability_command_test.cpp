@@ -67,8 +67,6 @@ TEST_F(StabilityCommand, FindsTheStepAtWhichACollisionIsOff) {
   }
   // SUP by 4 is the same motion in units four times as long.
   EXPECT_NEAR(j["records"][1]["step_ratio"].get<double>(), 4, 1e-9);
-  // A dashpot that sees the velocity of half a step before is off by more.
-  EXPECT_LT(j["records"][0]["step"].get<double>(), j["records"][2]["step"].get<double>());
   EXPECT_TRUE(std::filesystem::exists(out + "/motion_error.gp"));
 }
 
