@@ -248,10 +248,10 @@ TEST(InputMessage, UnknownKeyUnlikeAnyGetsNoSuggestion) {
 TEST(InputMessage, UnknownSection) {
   EXPECT_EQ(sentence_for("\n\n[materials]\nyoung = 1e9\n"),
             "scene.toml, line 4: materials.young: there is no such section; allowed: material, second, wall, contact, pair, impact, "
-            "particles, cell, scaling, run, output, study, numerics, body");
+            "particles, cell, scaling, run, output, study, advise, numerics, body");
   EXPECT_EQ(sentence_for("young = 1e9\n"),
             "scene.toml, line 1: young: there is no such section; allowed: material, second, wall, contact, pair, impact, particles, cell, "
-            "scaling, run, output, study, numerics, body");
+            "scaling, run, output, study, advise, numerics, body");
 }
 
 TEST(InputMessage, UnknownKeysBelowAKeyOrABody) {
