@@ -68,10 +68,10 @@ TEST_F(AdviseCommand, GivesEveryKey) {
 }
 
 TEST_F(AdviseCommand, SofteningWithoutCorrectionIsLimitedByAdhesion) {
-  const json j = advice({"study.laws=[\"none\"]"});
+  const json j = advice({"study.laws=[\"none\"]", "advise.speed=0.01"});
   const json& softer = j["laws"][0];
   EXPECT_EQ(softer["limiting_mechanism"], "adhesion");
-  EXPECT_GT(softer["factor"], factor_of(advice({"study.laws=[\"rps\"]"}), "rps", true));
+  EXPECT_GT(softer["factor"], factor_of(advice({"study.laws=[\"rps\"]", "advise.speed=0.01"}), "rps", true));
 }
 
 TEST_F(AdviseCommand, TighterToleranceIsMilder) {

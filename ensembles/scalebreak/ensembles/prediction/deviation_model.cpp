@@ -15,6 +15,11 @@ Terms terms_of(const ScaleGroups& original, const ScaleGroups& scaled) {
           scaled.torque_lack * std::log(scaled.size), std::log((1 + sticking(scaled)) / (1 + sticking(original)))};
 }
 
+const std::vector<std::string>& predicted_quantities() {
+  static const std::vector<std::string> names = {"temperature", "rotational_energy", "collision_rate", "pressure", "stress_xz"};
+  return names;
+}
+
 double size_excess(const std::string& quantity) { return quantity == "collision_rate" ? 1 : 2; }
 
 double size_term(double excess, const ScaleGroups& scaled) { return excess * scaled.collisional_share * std::log(scaled.size); }

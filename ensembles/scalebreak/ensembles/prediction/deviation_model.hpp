@@ -33,7 +33,11 @@ using Terms = std::array<double, term_count>;
 
 /// ln(value / claim) of a collisional flow of hard spheres that are l times larger: `size_excess` × c ln l, of the scaled flow.
 [[nodiscard]] double size_term(double size_excess, const ScaleGroups& scaled);
-/// n of a judged quantity: 2, of the collision rate 1.
+/// What is predicted: temperature, rotational energy, collision rate, pressure and shear stress. The volume fraction that a pressure leads to is
+/// judged by studies and not predicted.
+[[nodiscard]] const std::vector<std::string>& predicted_quantities();
+
+/// n of such a quantity: 2, of the collision rate 1.
 [[nodiscard]] double size_excess(const std::string& quantity);
 
 /// The model of one quantity, fitted.

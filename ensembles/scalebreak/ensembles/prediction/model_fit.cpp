@@ -167,7 +167,7 @@ DeviationModel fit_model(const TrainingRows& training, std::uint64_t seed) {
   for (const TrainingRow& row : training.rows) {
     if (!deep(row)) (held_back(seed, row.key) ? test : fit).push_back(row);
   }
-  for (const std::string& quantity : judged_quantities()) {
+  for (const std::string& quantity : predicted_quantities()) {
     model.quantities.push_back(fit_quantity(quantity, fit));
     model.validation[quantity] = validate(model.quantities.back(), test);
   }

@@ -58,8 +58,8 @@ void add_study(TrainingRows& to, const std::filesystem::path& folder) {
   };
   for (std::size_t row = 0; row < csv.rows(); ++row) {
     const std::string& quantity = csv.word(row, "quantity");
-    const auto& judged = judged_quantities();
-    if (std::find(judged.begin(), judged.end(), quantity) == judged.end()) continue;
+    const auto& predicted = predicted_quantities();
+    if (std::find(predicted.begin(), predicted.end(), quantity) == predicted.end()) continue;
     const auto deviation = csv.number(row, "deviation [-]"), error = csv.number(row, "deviation_error [-]");
     const std::size_t index = cell_of(grid, csv, row);
     const StudyCell& cell = grid.cells[index];
