@@ -11,7 +11,6 @@
 #include <scalebreak/base/error.hpp>
 #include <scalebreak/base/random.hpp>
 #include <scalebreak/collisions/normal/pair_collision.hpp>
-#include <scalebreak/ensembles/breakdown/verdicts.hpp>
 
 namespace scalebreak {
 namespace {

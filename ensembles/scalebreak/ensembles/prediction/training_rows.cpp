@@ -8,7 +8,7 @@
 
 #include <scalebreak/base/error.hpp>
 #include <scalebreak/ensembles/breakdown/study_grid.hpp>
-#include <scalebreak/ensembles/breakdown/verdicts.hpp>
+#include <scalebreak/ensembles/prediction/deviation_model.hpp>
 #include <scalebreak/output/csv_read.hpp>
 #include <scalebreak/scene/input_file.hpp>
 #include <scalebreak/scene/toml_reader.hpp>
