@@ -140,7 +140,9 @@ Validation validate(const QuantityModel& model, const std::vector<TrainingRow>& 
     const double variance = predicted.error * predicted.error + row.deviation.error * row.deviation.error + error_floor * error_floor;
     ++result.rows, result.rms += miss * miss, result.rms_over_error += miss * miss / variance;
     if (!is_off(row.deviation)) continue;
-    ++result.off, result.within_factor += well_predicted(predicted, row.deviation) ? 1 : 0;
+    const std::size_t good = well_predicted(predicted, row.deviation) ? 1 : 0;
+    ++result.off, result.within_factor += good;
+    if (row.scaled.size == 1) ++result.softened_off, result.softened_within_factor += good;
   }
   const double n = std::max(1.0, static_cast<double>(result.rows));
   result.rms = std::sqrt(result.rms / n), result.rms_over_error = std::sqrt(result.rms_over_error / n);

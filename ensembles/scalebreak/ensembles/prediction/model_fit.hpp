@@ -28,6 +28,8 @@ struct Validation {
   double rms_over_error = 0;      ///< the same, each over its errors, predicted and measured
   std::size_t off = 0;            ///< rows off by more than 3 % and two standard errors
   std::size_t within_factor = 0;  ///< of those, predicted within a factor 1.5
+  std::size_t softened_off = 0;   ///< the same of spheres that keep their size, where nothing is known without a fit
+  std::size_t softened_within_factor = 0;
 };
 inline constexpr double off_beyond = 0.03, off_errors = 2, good_factor = 1.5;
 [[nodiscard]] bool is_off(const Measured& deviation);

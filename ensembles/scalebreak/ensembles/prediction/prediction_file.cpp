@@ -33,6 +33,8 @@ json validation_json(const Validation& v) {
           {"rms_over_error", v.rms_over_error},
           {"off", v.off},
           {"within_factor_1_5", v.within_factor},
+          {"softened_off", v.softened_off},
+          {"softened_within_factor_1_5", v.softened_within_factor},
           {"share_within_factor_1_5", v.off > 0 ? json(static_cast<double>(v.within_factor) / static_cast<double>(v.off)) : json()}};
 }
 
@@ -46,6 +48,7 @@ json model_json(const DeviationModel& model) {
     quantities[q.quantity] = {
         {"size_excess", size_excess(q.quantity)}, {"terms", terms_json(q)}, {"scatter", q.scatter}, {"held_back", validation_json(v)}};
     all.rows += v.rows, all.off += v.off, all.within_factor += v.within_factor;
+    all.softened_off += v.softened_off, all.softened_within_factor += v.softened_within_factor;
     all.rms += v.rms * v.rms * static_cast<double>(v.rows);
     all.rms_over_error += v.rms_over_error * v.rms_over_error * static_cast<double>(v.rows);
   }
@@ -78,7 +81,13 @@ DeviationModel model_from_json(const json& from, const std::string& place) {
         q.coefficients[i] = term.at("coefficient"), q.fitted[i] = term.at("fitted"), q.covariance[i] = term.at("covariance");
       }
       const json& v = entry.at("held_back");
-      model.validation[name] = {v.at("rows"), v.at("rms"), v.at("rms_over_error"), v.at("off"), v.at("within_factor_1_5")};
+      model.validation[name] = {v.at("rows"),
+                                v.at("rms"),
+                                v.at("rms_over_error"),
+                                v.at("off"),
+                                v.at("within_factor_1_5"),
+                                v.at("softened_off"),
+                                v.at("softened_within_factor_1_5")};
       model.quantities.push_back(q);
     }
     for (const auto& [name, range] : from.at("ranges").items()) model.ranges[name] = {range.at(0), range.at(1)};

@@ -99,8 +99,10 @@ std::vector<std::string> sentences(const DeviationModel& model) {
   for (const QuantityModel& q : model.quantities) {
     const Validation& v = model.validation.at(q.quantity);
     list.push_back(fmt::format(
-        "{}: {} rows held back, off by {:.1f} % rms, {:.2f} of the errors; of {} that deviate by more than 3 % {} are within a factor 1.5",
-        study_quantity(q.quantity).what, v.rows, 100 * v.rms, v.rms_over_error, v.off, v.within_factor));
+        "{}: {} rows held back, off by {:.1f} % rms, {:.2f} of the errors; within a factor 1.5 are {} of {} that deviate by more "
+        "than 3 %, {} of {} without the enlarged",
+        study_quantity(q.quantity).what, v.rows, 100 * v.rms, v.rms_over_error, v.within_factor, v.off, v.softened_within_factor,
+        v.softened_off));
   }
   list.push_back(
       fmt::format("{} rows fitted, {} held back, {} cells of these deviate", model.rows_fitted, model.rows_held_back, model.cells_off));
