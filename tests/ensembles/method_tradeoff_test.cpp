@@ -71,7 +71,7 @@ TEST(MethodGrid, SaysWhatAnEngineRefuses) {
   const auto event = std::find_if(grid.ways.begin(), grid.ways.end(), [](const FlowWay& way) { return way.engine == "event"; });
   ASSERT_NE(event, grid.ways.end());
   EXPECT_FALSE(event->cell);
-  EXPECT_THAT(event->refusal, HasSubstr("allowed: "));
+  EXPECT_THAT(event->refusal, HasSubstr("allowed in an event-driven run: \"mono\" or \"bidisperse\""));
   EXPECT_THAT(message_of<InputError>([&] {
                 (void)method_grid(
                     resolved(small_methods, {"particles.size=\"lognormal\"", "particles.size_spread=0.1", "study.engines=[\"event\"]"}));
@@ -138,10 +138,11 @@ TEST(MethodTradeoff, KeepsTheReasonOfAMethodThatFails) {
 }
 
 /// A cell's result with errors of 1 %, which `runs` runs of so much work each came to.
-CellResult known(double temperature, double work) {
+CellResult known(double temperature, double rate, double work) {
   CellResult result{.replicas = 1};
   for (const char* name : {"temperature", "collision_rate", "pressure"}) result.quantities.push_back({name, "-", {1, 0.01}});
   result.quantities[0].measured = {temperature, 0.01 * temperature};
+  result.quantities[1].measured = {rate, 0.01 * rate};
   result.work.evaluations = work, result.processor_seconds = work;
   return result;
 }
@@ -153,6 +154,7 @@ TEST(MethodTradeoff, ComparesWithTheMostAccurateAndGivesCostsAtOneError) {
     results.push_back(known(way.law == "rps"     ? 1.2
                             : way.keep == "cell" ? 1.03
                                                  : 1,
+                            way.law == "sup" ? 0.5 : 1,  // as SUP claims it
                             way.engine == "hybrid" ? 10
                             : way.law == "rps"     ? 5
                                                    : 100));

@@ -80,9 +80,13 @@ double typical_resolution(const std::vector<WayPoint>& points) {
   return *middle;
 }
 
-/// An error that is not told from 0 counts as what would be, and none as less than what is typically told: a small one by chance is no merit.
+/// An error that is not told from 0 counts as what is told typically: a small one by chance is no merit. Of a way that is known much worse than
+/// that it counts as what would be told of it.
 double judged_error(const WayPoint& point, double resolution) {
-  return std::max(resolution, point.told ? point.error : told_beyond * point.error_error);
+  constexpr double alike = 1.5;  // a part of the reference is compared with less of it than other ways are
+  if (point.told) return std::max(resolution, point.error);
+  const double own = told_beyond * point.error_error;
+  return own > alike * resolution ? own : resolution;
 }
 
 std::vector<bool> front_of(const std::vector<WayPoint>& points, double WayPoint::*cost) {
