@@ -2,11 +2,16 @@
 
 #include <fmt/format.h>
 
+#include <scalebreak/base/error.hpp>
 #include <scalebreak/ensembles/run/run_estimate.hpp>
+#include <scalebreak/ensembles/tradeoff/method_tradeoff.hpp>
 #include <scalebreak/ensembles/tradeoff/tradeoff_files.hpp>
 #include <scalebreak/ensembles/tradeoff/tradeoff_json.hpp>
 
+#include <scalebreak/output/atomic_file.hpp>
+
 #include "command.hpp"
+#include "stop.hpp"
 
 namespace scalebreak::apps {
 namespace {
@@ -26,7 +31,13 @@ std::string estimate(const Options& options, Input input) {
     return fmt::format("{:.2g} steps of a pair, about {:.1g} s, below 20 MB; more where a bridge lasts or run.duration is long", steps,
                        1e-6 * steps);
   }
-  const double methods = input.tradeoff.methods.empty() ? 2 : static_cast<double>(input.tradeoff.methods.size());
+  if (input.tradeoff.methods.empty()) {
+    const MethodGrid methods = method_grid(input);
+    return fmt::format("{} ways, {} runs{}, about {:.2g} s on {} threads, below 1 GB", methods.ways.size(),
+                       methods.grid.cells.size() * input.run.replicas, input.study.target_error > 0 ? " at least" : "",
+                       expected_seconds(methods.grid, input) / options.cores(), options.cores());
+  }
+  const auto methods = static_cast<double>(input.tradeoff.methods.size());
   double seconds = 0, bytes = 0;
   for (const double fraction : input.tradeoff.step_fractions) {
     input.run.step_fraction = fraction, input.run.step_bounds = false;
@@ -64,6 +75,28 @@ void print(const FlowTradeoff& study) {
   }
 }
 
+/// A flow by all engines and laws: kept run by run, as a study of breakdown is.
+void run_all_methods(const Options& options, const Input& input) {
+  const std::filesystem::path out = options.out;
+  if (!out.empty()) write_file(out / "input.toml", input_file_text(input, "tradeoff"));
+  stop_on_signals();
+  const MethodTradeoff study = method_tradeoff(
+      input,
+      {.out = out, .threads = options.cores(), .tables = options.store(), .stop = told_to_stop, .progress = options.progress("measuring")});
+  if (!out.empty()) {
+    for (const std::string& plot : write_tradeoff(study, input.run.seed, title_of(options), out))
+      options.say(plot + " was not drawn: gnuplot is missing or failed; its script is kept in " + options.out);
+  }
+  if (!study.complete)
+    throw WorkError(out.empty() ? std::string("the study was interrupted and nothing is kept, as there is no --out")
+                                : fmt::format("the study was interrupted; its finished runs are kept in {}, and the same command goes on "
+                                              "from there",
+                                              options.out));
+  deliver(options, input, "tradeoff", tradeoff_json(study));
+  if (options.json) return;
+  for (const std::string& each : sentences(study)) fmt::print("{}\n", each);
+}
+
 template <class Study>
 void report(const Options& options, const Input& input, const Study& study) {
   if (!options.out.empty()) {
@@ -85,6 +118,7 @@ void add_tradeoff(CLI::App& app, Options& options, std::function<void()>& job) {
       options.either = true;
       if (answered_early(options, [&](const Input& input) { return estimate(options, input); })) return;
       const Input input = options.input();
+      if (input.flow && input.tradeoff.methods.empty()) return run_all_methods(options, input);
       const auto progress = options.progress("measuring");
       if (input.flow) {
         report(options, input, flow_tradeoff(input, options.cores(), progress));

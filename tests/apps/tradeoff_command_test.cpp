@@ -12,7 +12,8 @@ using testing::IsSupersetOf;
 
 struct TradeoffCommand : ProgramTest {};
 
-const std::vector<std::string> quick = {"--set", "study.step_fractions=[0.2, 0.15, 0.1, 0.07, 0.05]", "--set", "study.tolerances=[1e-4, 1e-6, 1e-8]",
+const std::vector<std::string> quick = {"--set", "study.step_fractions=[0.2, 0.15, 0.1, 0.07, 0.05]",
+                                        "--set", "study.tolerances=[1e-4, 1e-6, 1e-8]",
                                         "--set", "study.phases=4"};
 
 std::vector<std::string> words(std::vector<std::string> first, const std::vector<std::string>& more) {
@@ -46,7 +47,8 @@ TEST_F(TradeoffCommand, OfACollisionGivesPointsOrdersAndFiles) {
 
 TEST_F(TradeoffCommand, OfAFlowComparesSteps) {
   const std::string file = scene("shear.toml", small_shear);
-  const ProgramRun result = run({"tradeoff", file, "--json", "--quiet", "--out", out, "--threads", "1", "--set", "study.step_fractions=[0.3, 0.15]"});
+  const ProgramRun result = run({"tradeoff", file, "--json", "--quiet", "--out", out, "--threads", "1", "--set",
+                                 "study.step_fractions=[0.3, 0.15]", "--set", "study.methods=[\"verlet\", \"synchronized\"]"});
   ASSERT_EQ(result.status, 0) << result.err;
   const json j = result.json();
   ASSERT_EQ(j["points"].size(), 4u);
@@ -56,19 +58,53 @@ TEST_F(TradeoffCommand, OfAFlowComparesSteps) {
   EXPECT_THAT(names_of(files_of(out)), IsSupersetOf({"tradeoff.csv", "deviations.gp", "front.gp", "index.html"}));
 }
 
+/// Killed and asked again, it goes on with what it had; the counted work is the same.
+TEST_F(TradeoffCommand, OfAFlowComparesAllMethods) {
+  const std::string file = scene("shear.toml", small_shear);
+  const std::vector<std::string> command = {"tradeoff",  file,
+                                            "--json",    "--quiet",
+                                            "--out",     out,
+                                            "--set",     "study.laws=[\"rps\"]",
+                                            "--set",     "study.factors=[0.1]",
+                                            "--set",     "study.step_fractions=[0.3]",
+                                            "--set",     "run.strain=0.6",
+                                            "--set",     "contact.normal=hertz",
+                                            "--set",     "contact.tangential=none",
+                                            "--threads", "1"};
+  const ProgramRun result = run(command);
+  ASSERT_EQ(result.status, 0) << result.err;
+  const json j = result.json();
+  ASSERT_EQ(j["points"].size(), 5u);
+  EXPECT_EQ(j["points"][0]["step_fraction"], 0.3);
+  EXPECT_EQ(j["points"][2]["law"], "rps");
+  EXPECT_EQ(j["points"][3]["engine"], "hybrid");
+  EXPECT_GT(j["points"][0]["run_evaluations"].get<double>(), 0);
+  EXPECT_GT(j["points"][3]["run_lookups"].get<double>(), 0);
+  EXPECT_TRUE(j["complete"].get<bool>());
+  EXPECT_THAT(names_of(files_of(out)), IsSupersetOf({"input.toml", "result.json", "tradeoff.csv", "front_work.csv", "front_time.csv",
+                                                     "front_work.gp", "front_time.gp", "index.html"}));
+  EXPECT_EQ(run(command).json(), j);
+}
+
 TEST_F(TradeoffCommand, RefusesInOneSentence) {
   const ProgramRun sticks = run({"tradeoff", "--set", "impact.normal_speed=1e-4"});
   EXPECT_EQ(sticks.status, 2);
-  EXPECT_EQ(sticks.err, "scalebreak: the bodies stick, so that there is no end to compare; allowed: bodies that part, or [[body]] with run.duration\n");
+  EXPECT_EQ(sticks.err,
+            "scalebreak: the bodies stick, so that there is no end to compare; allowed: bodies that part, or [[body]] with run.duration\n");
   const ProgramRun fine = run({"tradeoff", "--set", "study.step_fractions=[1e-6]"});
   EXPECT_EQ(fine.status, 2);
-  EXPECT_THAT(fine.err, HasSubstr("study.step_fractions: found [1e-06]; allowed: an array of 1 to 100 numbers of at least 0.0001 and at most 1"));
+  EXPECT_THAT(fine.err,
+              HasSubstr("study.step_fractions: found [1e-06]; allowed: an array of 1 to 100 numbers of at least 0.0001 and at most 1"));
   EXPECT_THAT(run({"tradeoff", "--set", "study.methods=[\"euler\"]"}).err, HasSubstr("\"verlet\", \"synchronized\", \"exact\""));
 }
 
 TEST_F(TradeoffCommand, CheckEstimates) {
   EXPECT_THAT(run({"tradeoff", "--check"}).out, HasSubstr("steps of a pair, about "));
-  EXPECT_THAT(run({"tradeoff", scene("shear.toml", small_shear), "--check"}).out, HasSubstr("# estimate: 18 flows, about "));
+  const std::string file = scene("shear.toml", small_shear);
+  EXPECT_THAT(run({"tradeoff", file, "--check", "--set", "study.methods=[\"verlet\", \"synchronized\"]"}).out,
+              HasSubstr("# estimate: 18 flows, about "));
+  EXPECT_THAT(run({"tradeoff", file, "--check", "--set", "study.laws=[\"rps\"]", "--set", "study.factors=[0.1]"}).out,
+              HasSubstr("# estimate: 12 ways, 12 runs, about "));
 }
 
 }  // namespace

@@ -26,7 +26,8 @@ Key words_of_list(const std::string& name, const std::string& meaning, const std
 
 /// The grid of a study of flows, and how well each of its cells is to be known.
 void add_grid(std::vector<Key>& list) {
-  list.push_back(words_of_list("engines", "of breakdown: what moves the spheres, each in cells of its own", words_of(study_engine_words), 1,
+  list.push_back(words_of_list("engines", "what moves the spheres, each in cells of its own; of tradeoff, \"auto\" alone: all of them",
+                               words_of(study_engine_words), 1,
                                [](Input& input) -> std::vector<std::string>& { return input.study.engines; }));
   list.push_back(numbers("study", "volume_fractions", "-", "of breakdown: solids over the cell; empty: the scene's", 0, 1000,
                          [](Input& input) -> std::vector<double>& { return input.study.volume_fractions; }));
@@ -37,12 +38,12 @@ void add_grid(std::vector<Key>& list) {
   list.push_back(numbers("study", "values", "-", "of breakdown: the values of the parameter, in its unit", 0, 1000,
                          [](Input& input) -> std::vector<double>& { return input.study.values; }));
   list.push_back(number("study", "target_error", "-",
-                        "of breakdown: relative standard error up to which replicas are added to a cell; 0: run.replicas are enough",
+                        "relative standard error up to which replicas are added to a cell; 0: run.replicas are enough",
                         [](Input& input) -> double& { return input.study.target_error; }));
-  list.push_back(whole_number("study", "most_replicas", "of breakdown: replicas of a cell to reach it",
+  list.push_back(whole_number("study", "most_replicas", "replicas of a cell to reach it",
                               [](Input& input) -> std::uint64_t& { return input.study.most_replicas; }));
   list.push_back(number("study", "budget_seconds", "s",
-                        "of breakdown: wall time after which no more are added; 0: none, and results do not depend on the machine",
+                        "wall time after which no more are added; 0: none, and results do not depend on the machine",
                         [](Input& input) -> double& { return input.study.budget_seconds; }));
 }
 
@@ -80,8 +81,8 @@ void add_study(std::vector<Key>& list) {
              "largest error of a body's velocity or surface speed, over the speed of a collision, up to which a step counts as stable",
              [](Input& input) -> double& { return input.study_motion_error; }));
   list.push_back(choices(
-      "study", "methods", "of tradeoff: what is compared; empty: all that suit the scene", words_of(method_words), 0,
-      std::size(method_words),
+      "study", "methods", "of tradeoff: what is compared; empty: all that suit a collision, all engines and laws of a flow",
+      words_of(method_words), 0, std::size(method_words),
       [](Input& input, const std::vector<std::size_t>& chosen) {
         input.tradeoff.methods.clear();
         for (const std::size_t i : chosen) input.tradeoff.methods.push_back(static_cast<Method>(i));

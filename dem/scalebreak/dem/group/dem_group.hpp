@@ -29,6 +29,7 @@ struct GroupSphere {
 struct GroupTotals {
   double contact_starts = 0;                                 ///< of a sphere at a wall ½
   double contact_time = 0;                                   ///< [s]; of a sphere at a wall ½
+  double evaluations = 0;                                    ///< of forces of what touches; of a sphere at a wall ½
   double wall_work = 0;                                      ///< done by moving walls on the spheres [J]
   Eigen::Matrix3d contact_moment = Eigen::Matrix3d::Zero();  ///< −∫Σ force branchᵀ dt [N m s]
   long steps = 0;                                            ///< of all spheres together

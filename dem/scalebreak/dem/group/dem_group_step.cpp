@@ -115,6 +115,7 @@ void DemGroup::add_forces(Work& work, double before, double after, double step) 
   const Tally& tally = work.task.tally;
   totals_.contact_starts += tally.starts;
   totals_.contact_time += tally.touches * step;
+  totals_.evaluations += tally.touches;
   totals_.wall_work += tally.wall_power * step;
   for (int a = 0; a < 3; ++a) {
     for (int b = 0; b < 3; ++b) totals_.contact_moment(a, b) += tally.moment[3 * a + b] * step;

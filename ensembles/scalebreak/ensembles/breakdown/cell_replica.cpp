@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include <ctime>
+
 #include <fmt/format.h>
 
 #include <scalebreak/base/error.hpp>
@@ -31,6 +33,10 @@ json to_json(const CellReplica& r) {
           {"steps", r.steps},
           {"events", r.events},
           {"wall_seconds", r.wall_seconds},
+          {"processor_seconds", number(r.processor_seconds)},
+          {"evaluations", number(r.work.evaluations)},
+          {"lookups", number(r.work.lookups)},
+          {"sphere_steps", number(r.work.sphere_steps)},
           {"contact_time", r.contact_time},
           {"patch_fraction", r.patch_fraction ? json(*r.patch_fraction) : json()},
           {"version", r.version}};
@@ -44,6 +50,9 @@ CellReplica from_json(const json& j) {
                 .steps = j.at("steps"),
                 .events = j.at("events"),
                 .wall_seconds = j.at("wall_seconds"),
+                .processor_seconds = number_of(j.value("processor_seconds", json())),
+                .work = {number_of(j.value("evaluations", json())), number_of(j.value("lookups", json())),
+                         number_of(j.value("sphere_steps", json()))},
                 .contact_time = j.at("contact_time"),
                 .patch_fraction = {},
                 .version = j.at("version")};
@@ -53,6 +62,13 @@ CellReplica from_json(const json& j) {
   }
   if (!j.at("patch_fraction").is_null()) r.patch_fraction = j.at("patch_fraction").get<double>();
   return r;
+}
+
+/// Of this thread, since it began [s].
+double processor_seconds() {
+  timespec spent{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &spent);
+  return static_cast<double>(spent.tv_sec) + 1e-9 * static_cast<double>(spent.tv_nsec);
 }
 
 /// Random numbers of a cell's runs lie apart from those of other cells.
@@ -65,6 +81,7 @@ CellReplica run_replica(const StudyCell& cell, std::uint64_t replica, const Tabl
   CellReplica result;
   result.version = version();
   const auto began = Clock::now();
+  const double spent_before = processor_seconds();
   try {
     FlowRun run(cell.input, stream_of(cell, replica), 1, &store, cell.choice.engine);
     while (!run.done()) {
@@ -76,7 +93,7 @@ CellReplica run_replica(const StudyCell& cell, std::uint64_t replica, const Tabl
     result.quantities = studied(measured, cell.input.cell.boundary[2] == Boundary::wall);
     result.particles = static_cast<double>(record.particles), result.measured_time = measured.duration;
     result.steps = static_cast<double>(record.steps), result.events = static_cast<double>(record.events.value_or(0));
-    result.contact_time = record.step.contact.time;
+    result.contact_time = record.step.contact.time, result.work = record.work;
     if (record.patches) result.patch_fraction = record.patches->contact_starts / record.contact_starts;
   } catch (const RunInterrupted&) {
     throw;
@@ -84,6 +101,7 @@ CellReplica run_replica(const StudyCell& cell, std::uint64_t replica, const Tabl
     result.failure = error.what();
   }
   result.wall_seconds = std::chrono::duration<double>(Clock::now() - began).count();
+  result.processor_seconds = processor_seconds() - spent_before;
   return result;
 }
 

@@ -10,6 +10,7 @@
 
 #include <scalebreak/collisions/tables/table_store.hpp>
 #include <scalebreak/ensembles/breakdown/study_grid.hpp>
+#include <scalebreak/ensembles/run/run_record.hpp>
 #include <scalebreak/measure/flow_result.hpp>
 
 namespace scalebreak {
@@ -19,6 +20,8 @@ struct CellReplica {
   std::string failure;  ///< a sentence; empty: it came to its end
   std::vector<Quantity> quantities;
   double particles = 0, measured_time = 0, steps = 0, events = 0, wall_seconds = 0;
+  double processor_seconds = 0;          ///< of its core, as wall_seconds with start and warm-up: those where nothing else ran
+  RunWork work;                          ///< while it measured; NaN where an earlier version ran it
   double contact_time = 0;               ///< of the shortest contact [s]; 0: not known
   std::optional<double> patch_fraction;  ///< of a hybrid
   std::string version;                   ///< of the program that ran it

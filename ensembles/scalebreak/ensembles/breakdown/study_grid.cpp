@@ -112,16 +112,6 @@ std::string identity_of(const Input& cell) {
   return text;
 }
 
-/// Does this engine suit this cell? A hybrid without tables would be soft spheres in patches.
-bool suits(const std::string& engine, const Input& input) {
-  try {
-    if (flies(engine)) refuse_laws_without_tables(input), refuse_sizes_without_tables(input);
-  } catch (const InputError&) {
-    return false;
-  }
-  return true;
-}
-
 }  // namespace
 
 std::string StudyPoint::name(const std::string& parameter) const {
@@ -144,25 +134,43 @@ std::size_t StudyGrid::original_of(std::size_t cell) const {
   return static_cast<std::size_t>(at - cells.begin());
 }
 
+StudyCell study_cell(const Input& study, const StudyPoint& point, const std::string& engine, const std::string& law, double factor,
+                     const std::vector<Assignment>& more) {
+  const Input scene = scene_of(study);
+  std::vector<Assignment> changes = changes_of(scene, study, point);
+  const std::string at = changes.empty() ? "" : point.name(study.study.parameter) + ", ";
+  changes.push_back({"scaling.law", law, {}});
+  changes.push_back({"scaling.factor", factor, {}});
+  if (size_factor(*find_scaling_law(law), factor) > 1)
+    changes.push_back({"scaling.keep", std::string(keep_words[static_cast<std::size_t>(study.keep)]), {}});
+  for (const Assignment& each : more) {
+    std::erase_if(changes, [&](const Assignment& other) { return other.key == each.key; });
+    changes.push_back(each);
+  }
+  StudyCell cell{.law = law, .factor = factor, .point = point, .asked = engine, .choice = {}, .input = {}};
+  cell.input = changed(scene, changes, fmt::format("study, {}{} at {:g}", at, law, factor));
+  cell.choice = choose_engine(engine, cell.input, 1, 0);
+  cell.key = hash_of(cell.choice.engine + "\n" + identity_of(cell.input));
+  return cell;
+}
+
+std::optional<std::string> why_unsuited(const StudyCell& cell) {
+  try {
+    if (flies(cell.choice.engine)) refuse_laws_without_tables(cell.input), refuse_sizes_without_tables(cell.input);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return {};
+}
+
 StudyGrid study_grid(const Input& input) {
   check_study(input);
-  const Input scene = scene_of(input);
   StudyGrid grid;
   for (const StudyPoint& point : points_of(input.study)) {
-    const auto changes = changes_of(scene, input, point);
     for (const std::string& engine : input.study.engines) {
       const auto add = [&](const std::string& law, double factor) {
-        std::vector<Assignment> all = changes;
-        all.push_back({"scaling.law", law, {}});
-        all.push_back({"scaling.factor", factor, {}});
-        if (size_factor(*find_scaling_law(law), factor) > 1)
-          all.push_back({"scaling.keep", std::string(keep_words[static_cast<std::size_t>(input.keep)]), {}});
-        StudyCell cell{.law = law, .factor = factor, .point = point, .asked = engine, .choice = {}, .input = {}};
-        cell.input = changed(
-            scene, all, fmt::format("study, {}{}{} at {:g}", point.name(input.study.parameter), changes.empty() ? "" : ", ", law, factor));
-        cell.choice = choose_engine(engine, cell.input, 1, 0);
-        if (!suits(cell.choice.engine, cell.input)) return void(++grid.skipped);
-        cell.key = hash_of(cell.choice.engine + "\n" + identity_of(cell.input));
+        StudyCell cell = study_cell(input, point, engine, law, factor);
+        if (why_unsuited(cell)) return void(++grid.skipped);
         const bool there = std::any_of(grid.cells.begin(), grid.cells.end(), [&](const StudyCell& other) { return other.key == cell.key; });
         if (!there) grid.cells.push_back(std::move(cell));  // another word for the engine, or "none" at 1
       };

@@ -7,6 +7,7 @@
 
 #include <scalebreak/ensembles/run/engine_choice.hpp>
 #include <scalebreak/scene/input.hpp>
+#include <scalebreak/scene/value.hpp>
 
 namespace scalebreak {
 
@@ -43,6 +44,14 @@ struct StudyGrid {
   /// Whom a cell is compared with: the original at its point, by the first engine that runs it.
   [[nodiscard]] std::size_t original_of(std::size_t cell) const;
 };
+
+/// The cell of an input's [study] at a point: a law at a factor by an engine, or by that which "auto" chooses. `more` is set beside that and goes
+/// before it. Throws InputError where it is no scene.
+[[nodiscard]] StudyCell study_cell(const Input& study, const StudyPoint& point, const std::string& engine, const std::string& law,
+                                   double factor, const std::vector<Assignment>& more = {});
+
+/// Why the cell's engine cannot run it, in a sentence: a hybrid without tables would be soft spheres in patches.
+[[nodiscard]] std::optional<std::string> why_unsuited(const StudyCell& cell);
 
 /// The grid of an input's [study]: volume fractions × values of the parameter × engines × (the original, laws × factors). A value of a key of
 /// [material] is put into [second] and [wall] too where they have the same as [material]. Throws InputError where a cell is no scene.

@@ -53,6 +53,8 @@ CellResult cell_result(std::size_t cell, const std::vector<CellReplica>& replica
   for (const CellReplica* run : runs) {
     result.particles += run->particles / n, result.measured_time += run->measured_time / n;
     result.steps += run->steps / n, result.events += run->events / n, result.wall_seconds += run->wall_seconds / n;
+    result.processor_seconds += run->processor_seconds / n, result.work.evaluations += run->work.evaluations / n;
+    result.work.lookups += run->work.lookups / n, result.work.sphere_steps += run->work.sphere_steps / n;
     patched += run->patch_fraction.value_or(0) / n;
   }
   result.contact_time = runs.front()->contact_time;

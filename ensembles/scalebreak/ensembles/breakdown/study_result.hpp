@@ -19,6 +19,8 @@ struct CellResult {
   double particles = 0, measured_time = 0;  ///< of a run, mean
   double steps = 0, events = 0;             ///< of a run, mean
   double wall_seconds = 0;                  ///< of a run, mean
+  double processor_seconds = 0;             ///< of a run, mean
+  RunWork work;                             ///< of a run, mean; NaN: not counted
   double contact_time = 0;
   std::optional<double> patch_fraction;
   std::string version;  ///< of the program; where its runs are of several, all of them

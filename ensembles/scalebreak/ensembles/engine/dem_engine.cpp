@@ -55,6 +55,7 @@ EngineTotals DemEngine::totals() const {
           .contact_time = totals.contact_time,
           .contact_moment = totals.contact_moment,
           .steps = dem_.steps(),
+          .evaluations = std::round(2 * totals.contact_time / step_) / 2,  // halves are of walls
           .events = {},
           .integrated = {},
           .delayed = {},

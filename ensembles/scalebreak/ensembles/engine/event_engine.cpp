@@ -61,6 +61,7 @@ EngineTotals EventEngine::totals() const {
           .dissipated = totals.dissipated,
           .contact_time = totals.contact_time,
           .contact_moment = totals.contact_moment,
+          .evaluations = totals.patch_evaluations,
           .events = events,
           .integrated = groups_ ? 0 : spheres_.rule().integrated(),
           .delayed = spheres_.rule().delayed(),

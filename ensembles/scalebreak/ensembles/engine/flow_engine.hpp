@@ -35,7 +35,9 @@ struct EngineTotals {
   double wall_work = 0;       ///< done by moving walls on the spheres [J]
   std::optional<double> shear_work, dissipated, contact_time;
   std::optional<Eigen::Matrix3d> contact_moment;
-  long steps = 0;                  ///< of time
+  long steps = 0;  ///< of time
+  /// Of contact forces of what touches, at a wall ½; of soft spheres while sums are kept.
+  double evaluations = 0;
   std::optional<long> events;      ///< of an event-driven engine
   std::optional<long> integrated;  ///< of these, collisions that no table answered
   std::optional<long> delayed;     ///< and those put behind, TableRule::delayed

@@ -41,6 +41,7 @@ void add(std::optional<T>& to, const std::optional<T>& more) {
 
 EngineTotals sum(EngineTotals a, const EngineTotals& b) {
   a.contact_starts += b.contact_starts, a.wall_work += b.wall_work, a.steps += b.steps, a.handovers += b.handovers;
+  a.evaluations += b.evaluations;
   add(a.contact_time, b.contact_time), add(a.contact_moment, b.contact_moment);
   add(a.events, b.events), add(a.integrated, b.integrated), add(a.delayed, b.delayed);
   if (!b.patches) return a;
@@ -53,6 +54,7 @@ EngineTotals sum(EngineTotals a, const EngineTotals& b) {
 template <class Number>
 void go_through(EngineTotals& totals, Number&& number) {
   number(totals.contact_starts), number(totals.wall_work), number(totals.steps), number(totals.handovers), number(totals.contact_time);
+  number(totals.evaluations);
   if (!totals.contact_moment) totals.contact_moment = Eigen::Matrix3d::Zero();
   for (double& entry : totals.contact_moment->reshaped()) number(entry);
   number(totals.events), number(totals.integrated), number(totals.delayed);

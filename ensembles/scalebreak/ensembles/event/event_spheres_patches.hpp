@@ -179,6 +179,7 @@ void EventSpheres<Queue, Rule>::advance(Patch& patch, double time) {
   totals_.contact_time += gained.contact_time;
   totals_.patch_starts += gained.contact_starts;
   totals_.patch_steps += gained.steps;
+  totals_.patch_evaluations += gained.evaluations;
   totals_.patch_time += span * group.count();
 }
 

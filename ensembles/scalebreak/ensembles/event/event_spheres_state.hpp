@@ -124,7 +124,7 @@ void EventSpheres<Queue, Rule>::go_through_numbers(Numbers&& number) {
   number(watched_), number(watched_from_), number(longest_watch_);
   number(totals_.collisions), number(totals_.wall_collisions), number(totals_.stale), number(totals_.lists), number(totals_.renewals);
   number(totals_.patches), number(totals_.taken_back), number(totals_.patch_steps), number(totals_.patch_starts),
-      number(totals_.patch_time);
+      number(totals_.patch_time), number(totals_.patch_evaluations);
   number(totals_.wall_work), number(totals_.dissipated), number(totals_.contact_time);
   for (const Eigen::Index i : {0, 1, 2, 3, 4, 5, 6, 7, 8}) number(totals_.contact_moment(i));
 }

@@ -16,6 +16,7 @@ struct EventTotals {
   long patches = 0;                                          ///< groups of spheres that were begun to be integrated
   long taken_back = 0;                                       ///< collisions that a third body disturbed before their contacts had ended
   long patch_steps = 0;                                      ///< of time, of single spheres
+  double patch_evaluations = 0;                              ///< of contact forces in patches; at a wall ½
   double patch_starts = 0;                                   ///< of contacts in patches, at a wall ½
   double patch_time = 0;                                     ///< that spheres have spent in patches [s]
   double wall_work = 0;                                      ///< done by moving walls on the spheres [J]

@@ -98,6 +98,10 @@ void FlowRun::advance() {
   record_.time = engine_->time(), record_.steps = totals.steps, record_.events = totals.events, record_.integrated = totals.integrated,
   record_.delayed = totals.delayed, record_.patches = totals.patches, record_.handovers = totals.handovers;
   record_.contact_starts = totals.contact_starts;
+  const RunWork done = RunWork::of(totals, static_cast<double>(record_.particles));
+  if (sample_ <= record_.schedule.warmup_samples) record_.warmup = done;
+  record_.work = {done.evaluations - record_.warmup.evaluations, done.lookups - record_.warmup.lookups,
+                  done.sphere_steps - record_.warmup.sphere_steps};
   look();
 }
 

@@ -18,9 +18,20 @@ void go_through(Record& r, Number&& number, Text&& text) {
   number(r.schedule.warmup_samples), number(r.schedule.samples);
   number(r.gravity_energy), number(r.time), number(r.steps), number(r.handovers), number(r.contact_starts);
   number(r.events), number(r.integrated), number(r.delayed);
+  for (auto* work : {&r.warmup, &r.work}) number(work->evaluations), number(work->lookups), number(work->sphere_steps);
 }
 
 }  // namespace
+
+RunWork RunWork::of(const EngineTotals& totals, double particles) {
+  RunWork work{.evaluations = totals.evaluations,
+               .lookups = static_cast<double>(totals.events.value_or(0)),
+               .sphere_steps = particles * static_cast<double>(totals.steps)};
+  if (!totals.patches) return work;
+  work.lookups += static_cast<double>(totals.patches->taken_back + totals.patches->unresolved);
+  work.sphere_steps += static_cast<double>(totals.patches->sphere_steps);
+  return work;
+}
 
 void RunRecord::save(std::string& bytes) const {
   go_through(

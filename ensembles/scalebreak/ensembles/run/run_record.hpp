@@ -14,6 +14,17 @@
 
 namespace scalebreak {
 
+/// Work of a run as counts, which no machine changes.
+struct RunWork {
+  double evaluations = 0;   ///< of contact forces of what touches, in patches too; of a sphere at a wall ½
+  double lookups = 0;       ///< collisions asked of tables, those included that tables did not answer or that were taken back
+  double sphere_steps = 0;  ///< of single spheres, in patches too
+
+  [[nodiscard]] static RunWork of(const EngineTotals& totals, double particles);
+  /// Evaluations and lookups together.
+  [[nodiscard]] double counted() const { return evaluations + lookups; }
+};
+
 /// What there is to say of a run beside what it measured.
 struct RunRecord {
   std::string engine = "dem";  ///< or "event", "hybrid"
@@ -30,6 +41,7 @@ struct RunRecord {
   std::optional<PatchTotals> patches;
   long handovers = 0;
   double contact_starts = 0;
+  RunWork warmup, work;  ///< of the warm-up, as far as it was counted, and since
   std::vector<std::string> warnings;
 
   void save(std::string& bytes) const;

@@ -65,4 +65,47 @@ json tradeoff_json(const FlowTradeoff& study) {
   return {{"reference", study.reference}, {"points", points}};
 }
 
+json tradeoff_json(const MethodTradeoff& study) {
+  json points = json::array();
+  for (const WayPoint& p : study.points) {
+    json deviations = json::object();
+    for (const Comparison& c : p.deviations)
+      deviations[c.name] = {{"value", number(c.second.value)},
+                            {"error", number(c.second.error)},
+                            {"relative", number(c.relative.value)},
+                            {"relative_error", number(c.relative.error)}};
+    points.push_back({{"engine", p.way.engine},
+                      {"law", p.way.law},
+                      {"factor", p.way.factor},
+                      {"keep", p.way.keep.empty() ? json() : json(p.way.keep)},
+                      {"step_fraction", p.way.step_fraction > 0 ? json(p.way.step_fraction) : json()},
+                      {"automatic", p.way.automatic},
+                      {"failure", p.failure.empty() ? json() : json(p.failure)},
+                      {"in_reference", p.in_reference},
+                      {"replicas", p.result.replicas},
+                      {"particles", p.result.particles},
+                      {"worst", p.worst.empty() ? json() : json(p.worst)},
+                      {"largest_deviation", number(p.error)},
+                      {"largest_deviation_error", number(p.error_error)},
+                      {"told", p.told},
+                      {"judged_error", number(p.judged)},
+                      {"statistical_error", number(p.statistical_error)},
+                      {"work", number(p.work)},
+                      {"processor_seconds", number(p.seconds)},
+                      {"run_evaluations", number(p.result.work.evaluations)},
+                      {"run_lookups", number(p.result.work.lookups)},
+                      {"run_sphere_steps", number(p.result.work.sphere_steps)},
+                      {"run_wall_seconds", number(p.result.wall_seconds)},
+                      {"on_work_front", p.on_work_front},
+                      {"on_time_front", p.on_time_front},
+                      {"deviations", deviations}});
+  }
+  return {{"points", points},
+          {"statistical_error", study.statistical_error},
+          {"resolution", study.resolution},
+          {"skipped", study.skipped},
+          {"complete", study.complete},
+          {"sentences", sentences(study)}};
+}
+
 }  // namespace scalebreak
