@@ -195,15 +195,20 @@ TEST(ModelFit, LeavesOutWhatNoRowShows) {
 }
 
 TEST(ModelFit, SaysHowFarItIsOff) {
-  // Logarithms that are a fifth off what the terms say, beside small errors.
-  const QuantityModel truth{.quantity = "temperature", .coefficients = {-0.6, 1.1, -0.2, 0.35}};
+  // Logarithms that are a fifth off what the one term says, far beyond their errors and the floor.
+  const QuantityModel truth{.quantity = "temperature", .coefficients = {-6, 0, 0, 0}};
   std::vector<TrainingRow> rows = synthetic(truth, 0.01, 1000);
   std::mt19937_64 stream(8);
   std::normal_distribution<double> normal(1, 0.2);
-  for (TrainingRow& row : rows) row.deviation.value = std::expm1(normal(stream) * std::log1p(row.deviation.value));
+  for (TrainingRow& row : rows) {
+    row.scaled.size = 1, row.scaled.impact_over_sticking = row.original.impact_over_sticking, row.scaled.jamming_share = 0;
+    const double exact = predict(truth, row.original, row.scaled).deviation.value;
+    row.deviation.value = std::expm1(normal(stream) * std::log1p(exact));
+    row.deviation.error = 0.001 * (1 + row.deviation.value);
+  }
   const QuantityModel model = fit_quantity("temperature", rows);
   EXPECT_NEAR(model.scatter, 0.2, 0.02);
-  EXPECT_NEAR(model.coefficients[0], -0.6, 4 * std::sqrt(model.covariance[0][0]));
+  EXPECT_NEAR(model.coefficients[0], -6, 4 * std::sqrt(model.covariance[0][0]));
   const Prediction prediction = predict(model, rows[0].original, rows[0].scaled);
   EXPECT_GT(prediction.deviation.error, 0.9 * 0.2 * std::abs(std::log1p(prediction.deviation.value)) * (1 + prediction.deviation.value));
 }

@@ -27,13 +27,13 @@ double size_term(double excess, const ScaleGroups& scaled) { return excess * sca
 Prediction predict(const QuantityModel& model, const ScaleGroups& original, const ScaleGroups& scaled) {
   const Terms terms = terms_of(original, scaled);
   Prediction prediction{.size = size_term(size_excess(model.quantity), scaled)};
-  double logarithm = prediction.size, variance = 0;
+  double logarithm = prediction.size, variance = 0, squares = prediction.size * prediction.size;
   for (std::size_t i = 0; i < term_count; ++i) {
     prediction.parts[i] = model.coefficients[i] * terms[i];
-    logarithm += prediction.parts[i];
+    logarithm += prediction.parts[i], squares += prediction.parts[i] * prediction.parts[i];
     for (std::size_t j = 0; j < term_count; ++j) variance += terms[i] * model.covariance[i][j] * terms[j];
   }
-  variance += std::pow(model.scatter * logarithm, 2);
+  variance += model.scatter * model.scatter * squares;
   prediction.deviation = {std::expm1(logarithm), std::exp(logarithm) * std::sqrt(variance)};
   return prediction;
 }

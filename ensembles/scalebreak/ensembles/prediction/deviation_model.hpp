@@ -46,7 +46,7 @@ struct QuantityModel {
   Terms coefficients{};
   std::array<bool, term_count> fitted{};  ///< false: no cell told, and the coefficient is 0
   std::array<std::array<double, term_count>, term_count> covariance{};
-  double scatter = 0;  ///< by how much of its logarithm the model is off beside the errors of what it was fitted to, relative
+  double scatter = 0;  ///< by how much of itself each part of the logarithm is off, beside the errors of what it was fitted to
 };
 
 /// What a model says: the deviation (value / claim − 1), its standard error, and each part of ln(value / claim).

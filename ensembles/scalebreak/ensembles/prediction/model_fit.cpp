@@ -43,11 +43,18 @@ double modelled(const Point& point, const QuantityModel& model) {
   return sum;
 }
 
+/// What scatter of 1 would make of a point's variance: each part of the logarithm is off by so much of itself, so that parts that cancel stay uncertain.
+double parts_squared(const Point& point, const QuantityModel& model) {
+  double sum = point.size * point.size;
+  for (std::size_t i = 0; i < term_count; ++i) sum += std::pow(model.coefficients[i] * point.terms[i], 2);
+  return sum;
+}
+
 double squares(const std::vector<Point>& points, const QuantityModel& model, double scatter) {
   double sum = 0;
   for (const Point& point : points) {
     const double value = modelled(point, model);
-    sum += std::pow(point.logarithm - value, 2) / (point.variance + std::pow(scatter * value, 2));
+    sum += std::pow(point.logarithm - value, 2) / (point.variance + scatter * scatter * parts_squared(point, model));
   }
   return sum;
 }
@@ -72,7 +79,7 @@ void solve(const std::vector<Point>& points, const std::vector<std::size_t>& fit
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t j = 0; j < k; ++j) gsl_matrix_set(x.get(), i, j, points[i].terms[fitted[j]]);
     gsl_vector_set(y.get(), i, points[i].logarithm - points[i].size);
-    gsl_vector_set(w.get(), i, 1 / (points[i].variance + std::pow(model.scatter * modelled(points[i], model), 2)));
+    gsl_vector_set(w.get(), i, 1 / (points[i].variance + model.scatter * model.scatter * parts_squared(points[i], model)));
   }
   const std::unique_ptr<gsl_multifit_linear_workspace, void (*)(gsl_multifit_linear_workspace*)> space(gsl_multifit_linear_alloc(n, k),
                                                                                                        gsl_multifit_linear_free);

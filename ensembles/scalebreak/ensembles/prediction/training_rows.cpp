@@ -51,6 +51,7 @@ void add_study(TrainingRows& to, const std::filesystem::path& folder) {
   const Input input = resolve_input(read_toml_file(input_path));
   const CsvTable csv = read_csv(csv_path);
   const StudyGrid grid = study_grid(input);
+  const std::string name = std::filesystem::absolute(folder / ".").lexically_normal().parent_path().filename().string();
   std::map<std::size_t, ScaleGroups> known;
   const auto groups = [&](std::size_t cell) -> const ScaleGroups& {
     const auto at = known.find(cell);
@@ -68,7 +69,7 @@ void add_study(TrainingRows& to, const std::filesystem::path& folder) {
       ++to.without_error;
       continue;
     }
-    to.rows.push_back({.study = folder.string(),
+    to.rows.push_back({.study = name,
                        .law = cell.law,
                        .point = cell.point.name(input.study.parameter),
                        .factor = cell.factor,

@@ -12,7 +12,7 @@ namespace scalebreak {
 
 /// A judged quantity of a cell of a finished study.
 struct TrainingRow {
-  std::string study;  ///< folder
+  std::string study;  ///< name of its folder
   std::string law, point;
   double factor = 1;
   std::uint64_t key = 0;  ///< of the cell
