@@ -56,14 +56,14 @@ std::vector<std::string> names_of(const MethodGrid& grid) {
 
 TEST(MethodGrid, HoldsStepsLawsAndEngines) {
   const MethodGrid grid = method_grid(resolved(small_methods));
-  EXPECT_THAT(names_of(grid), ElementsAre("dem at a step of 0.15", "dem at a step of 0.1", "dem, rps at 0.1", "dem, sup at 2, keep count",
-                                          "dem, sup at 2, keep cell", "hybrid", "event"));
+  EXPECT_THAT(names_of(grid), ElementsAre("dem at a step of 0.15", "dem at a step of 0.1", "rps 0.1 (dem)", "sup 2 keeping count (dem)",
+                                          "sup 2 keeping cell (dem)", "hybrid", "event"));
   EXPECT_EQ(grid.skipped, 2);
   EXPECT_EQ(grid.grid.cells.size(), 7u);
   EXPECT_EQ(std::count_if(grid.ways.begin(), grid.ways.end(), [](const FlowWay& way) { return way.automatic; }), 1);
   const FlowWay& emptied = grid.ways[4];
   EXPECT_EQ(grid.grid.cells[*emptied.cell].input.keep, Keep::cell);
-  EXPECT_EQ(emptied.series(), "sup, keep cell (dem)");
+  EXPECT_EQ(emptied.series(), "sup keeping cell (dem)");
 }
 
 TEST(MethodGrid, SaysWhatAnEngineRefuses) {
@@ -139,7 +139,7 @@ TEST(MethodTradeoff, KeepsTheReasonOfAMethodThatFails) {
 
 /// A cell's result with errors of 1 %, which `runs` runs of so much work each came to.
 CellResult known(double temperature, double rate, double work) {
-  CellResult result{.replicas = 1};
+  CellResult result{.replicas = 1, .particles = 80};
   for (const char* name : {"temperature", "collision_rate", "pressure"}) result.quantities.push_back({name, "-", {1, 0.01}});
   result.quantities[0].measured = {temperature, 0.01 * temperature};
   result.quantities[1].measured = {rate, 0.01 * rate};
@@ -147,8 +147,8 @@ CellResult known(double temperature, double rate, double work) {
   return result;
 }
 
-TEST(MethodTradeoff, ComparesWithTheMostAccurateAndGivesCostsAtOneError) {
-  const MethodGrid grid = method_grid(resolved(small_methods, {"study.target_error=0.005"}));
+TEST(MethodTradeoff, ComparesWithTheMostAccurateAndGivesCostsOfTheSameStatistics) {
+  const MethodGrid grid = method_grid(resolved(small_methods));
   std::vector<CellResult> results;
   for (const FlowWay& way : grid.ways)
     results.push_back(known(way.law == "rps"     ? 1.2
@@ -158,7 +158,8 @@ TEST(MethodTradeoff, ComparesWithTheMostAccurateAndGivesCostsAtOneError) {
                             way.engine == "hybrid" ? 10
                             : way.law == "rps"     ? 5
                                                    : 100));
-  const MethodTradeoff study = method_tradeoff(resolved(small_methods, {"study.target_error=0.005"}), grid, results);
+  results[4].particles = 10;  // in the same cell
+  const MethodTradeoff study = method_tradeoff(grid, results);
   const WayPoint &coarse = study.points[0], &fine = study.points[1], &rps = study.points[2], &emptied = study.points[4],
                  &hybrid = study.points[5];
   EXPECT_TRUE(fine.in_reference && hybrid.in_reference);
@@ -168,10 +169,11 @@ TEST(MethodTradeoff, ComparesWithTheMostAccurateAndGivesCostsAtOneError) {
   EXPECT_NEAR(rps.error_error, 1.2 * std::sqrt(1e-4 + 0.5e-4), 1e-9);  // beside two parts of 1 % each
   EXPECT_NEAR(fine.error_error, std::sqrt(2e-4), 1e-9);                // beside the other part alone
   EXPECT_FALSE(emptied.told);
-  EXPECT_NEAR(hybrid.work, 10 * 4, 1e-9);  // of four runs, for half the error
+  EXPECT_EQ(hybrid.work, 10);
+  EXPECT_EQ(emptied.work, 800);  // of an eighth of the spheres: eight runs for the same statistics
   EXPECT_TRUE(rps.on_work_front && hybrid.on_work_front);
   EXPECT_FALSE(coarse.on_work_front || fine.on_work_front || emptied.on_work_front);
-  EXPECT_THAT(sentences(study), testing::Contains(HasSubstr("cheaper and less accurate: dem, rps at 0.1")));
+  EXPECT_THAT(sentences(study), testing::Contains(HasSubstr("cheaper and less accurate: rps 0.1 (dem)")));
 }
 
 }  // namespace

@@ -82,11 +82,11 @@ class Builder {
 
 std::string FlowWay::series() const {
   if (original()) return engine == "dem" ? "dem over step" : engine;
-  return fmt::format("{}{}{} ({})", law, keep.empty() ? "" : ", keep ", keep, engine);
+  return fmt::format("{}{}{} ({})", law, keep.empty() ? "" : " keeping ", keep, engine);
 }
 
 std::string FlowWay::name() const {
-  if (!original()) return fmt::format("{}, {} at {:g}{}{}", engine, law, factor, keep.empty() ? "" : ", keep ", keep);
+  if (!original()) return fmt::format("{} {:g}{}{} ({})", law, factor, keep.empty() ? "" : " keeping ", keep, engine);
   return engine == "dem" ? fmt::format("dem at a step of {:g}", step_fraction) : engine;
 }
 

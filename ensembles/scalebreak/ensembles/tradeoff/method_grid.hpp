@@ -21,9 +21,9 @@ struct FlowWay {
   std::string refusal;              ///< then why, in a sentence
 
   [[nodiscard]] bool original() const { return law == "none" && factor == 1; }
-  /// What is drawn as one: "dem over step", "rps (dem)", "sup, keep cell (dem)", "hybrid".
+  /// What is drawn as one: "dem over step", "rps (dem)", "sup keeping cell (dem)", "hybrid".
   [[nodiscard]] std::string series() const;
-  /// "dem, rps at 0.01"; "dem at a step of 0.15"; "hybrid".
+  /// "rps 0.01 (dem)"; "dem at a step of 0.15"; "hybrid".
   [[nodiscard]] std::string name() const;
 };
 

@@ -71,8 +71,7 @@ std::vector<std::string> sentences(const MethodTradeoff& study) {
   for (const WayPoint& point : study.points) {
     if (!point.failure.empty()) list.push_back(fmt::format("{} has no answer: {}", point.way.name(), point.failure));
   }
-  list.push_back(fmt::format("Errors below {:.2g} % are not told apart; costs are those of a statistical error of {:.2g} %",
-                             100 * study.resolution, 100 * study.statistical_error));
+  list.push_back(fmt::format("Errors below {:.2g} % are not told apart", 100 * study.resolution));
   list.push_back(of_front(study, "counted work", &WayPoint::on_work_front, &WayPoint::work));
   list.push_back(of_front(study, "processor time", &WayPoint::on_time_front, &WayPoint::seconds));
   for (const std::string& each :

@@ -102,21 +102,23 @@ std::vector<bool> front_of(const std::vector<WayPoint>& points, double WayPoint:
   return all;
 }
 
-void put_cost(WayPoint& point, double target) {
+/// Means over spheres scatter as one over the root of their number and of the strain, of which every run has the same.
+void put_cost(WayPoint& point, double spheres) {
   point.statistical_error = relative_error(point.result);
-  const double share = point.statistical_error / target, runs = static_cast<double>(point.result.replicas) * share * share;
-  const bool known = std::isfinite(runs);
-  point.work = known ? runs * point.result.work.counted() : nothing;
-  point.seconds = known ? runs * point.result.processor_seconds : nothing;
+  const double runs = spheres / point.result.particles;
+  point.work = runs * point.result.work.counted(), point.seconds = runs * point.result.processor_seconds;
+}
+
+/// How many spheres a run of the original has.
+double spheres_of(const std::vector<WayPoint>& points) {
+  const auto original = std::find_if(points.begin(), points.end(), [](const WayPoint& point) { return point.in_reference; });
+  return original == points.end() ? nothing : original->result.particles;
 }
 
 }  // namespace
 
-MethodTradeoff method_tradeoff(const Input& input, const MethodGrid& grid, const std::vector<CellResult>& results) {
-  MethodTradeoff study{.points = {},
-                       .statistical_error = input.study.target_error > 0 ? input.study.target_error : default_statistical_error,
-                       .resolution = 0,
-                       .skipped = grid.skipped};
+MethodTradeoff method_tradeoff(const MethodGrid& grid, const std::vector<CellResult>& results) {
+  MethodTradeoff study{.points = {}, .resolution = 0, .skipped = grid.skipped};
   for (const FlowWay& way : grid.ways) {
     WayPoint point{.way = way, .result = way.cell ? results[*way.cell] : CellResult{}, .failure = way.refusal};
     if (way.cell && point.result.failed())
@@ -127,7 +129,7 @@ MethodTradeoff method_tradeoff(const Input& input, const MethodGrid& grid, const
   choose_reference(study.points);
   for (WayPoint& point : study.points) {
     if (point.failure.empty()) {
-      put_cost(point, study.statistical_error);
+      put_cost(point, spheres_of(study.points));
       compare_with(point, reference_of(study.points, point.in_reference ? &point : nullptr));
     }
     if (point.worst.empty()) point.error = nothing;
@@ -145,7 +147,7 @@ MethodTradeoff method_tradeoff(const Input& input, const MethodGrid& grid, const
 MethodTradeoff method_tradeoff(const Input& input, const StudyOptions& options) {
   const MethodGrid grid = method_grid(input);
   const StudyResult results = run_study(input, grid.grid, options);
-  MethodTradeoff study = method_tradeoff(input, grid, results.cells);
+  MethodTradeoff study = method_tradeoff(grid, results.cells);
   study.complete = results.complete;
   return study;
 }

@@ -10,9 +10,6 @@ namespace scalebreak {
 
 /// So many standard errors tell the largest of five deviations from 0: by chance one of them is beyond in 5 % of cases.
 inline constexpr double told_beyond = 2.6;
-/// Statistical error that costs are given at where study.target_error says none.
-inline constexpr double default_statistical_error = 0.01;
-
 /// What a way came to: how far off, at which cost.
 struct WayPoint {
   FlowWay way;
@@ -25,8 +22,8 @@ struct WayPoint {
   bool told = false;                   ///< from 0
   double judged = 0;                   ///< error that fronts are made of: see judged_error; NaN: none
   double statistical_error = 0;        ///< relative, of all runs together, see relative_error
-  /// Of as many runs as the statistical error of the study takes, while they measure: contact forces evaluated and collisions looked up;
-  /// processor time, with start and warm-up [s]. NaN: not known.
+  /// Of a run's statistics, that is of one run of as many spheres as the original has: contact forces evaluated and collisions looked up while it
+  /// measures; processor time, with start and warm-up [s]. NaN: not known.
   double work = 0, seconds = 0;
   bool on_work_front = false, on_time_front = false;
 };
@@ -34,8 +31,7 @@ struct WayPoint {
 /// Error against cost of all ways to a flow's answer.
 struct MethodTradeoff {
   std::vector<WayPoint> points;
-  double statistical_error = 0;  ///< at which costs are given
-  double resolution = 0;         ///< errors below it are not told apart, relative
+  double resolution = 0;  ///< errors below it are not told apart, relative
   int skipped = 0;
   bool complete = true;  ///< false: it was interrupted
 };
@@ -45,7 +41,7 @@ struct MethodTradeoff {
 [[nodiscard]] MethodTradeoff method_tradeoff(const Input& input, const StudyOptions& options);
 
 /// Points, errors, costs and fronts of results, in the order of the grid's cells.
-[[nodiscard]] MethodTradeoff method_tradeoff(const Input& input, const MethodGrid& grid, const std::vector<CellResult>& results);
+[[nodiscard]] MethodTradeoff method_tradeoff(const MethodGrid& grid, const std::vector<CellResult>& results);
 
 /// What a reader is to know, a sentence each: the reference, failures, the fronts, and how the hybrid stands beside scaled soft spheres.
 [[nodiscard]] std::vector<std::string> sentences(const MethodTradeoff& study);

@@ -101,7 +101,6 @@ json tradeoff_json(const MethodTradeoff& study) {
                       {"deviations", deviations}});
   }
   return {{"points", points},
-          {"statistical_error", study.statistical_error},
           {"resolution", study.resolution},
           {"skipped", study.skipped},
           {"complete", study.complete},
