@@ -45,6 +45,19 @@ TEST_F(TradeoffCommand, OfACollisionGivesPointsOrdersAndFiles) {
   EXPECT_THAT(run(words({"tradeoff", "--quiet"}, quick)).out, HasSubstr("error ∝ step_fraction^("));
 }
 
+TEST_F(TradeoffCommand, OfBodiesHasNoContactTimes) {
+  const std::string row = scene("row.toml",
+                                "[material]\nsurface_energy = 0\n[contact]\nnormal = \"hertz\"\n"
+                                "[[body]]\nposition = [0, 0, 0]\nradius = 1e-3\nvelocity = [0, 0, 0.1]\n"
+                                "[[body]]\nposition = [0, 0, 2.1e-3]\nradius = 1e-3\n[[body]]\nposition = [0, 0, 4.2e-3]\nradius = 1e-3\n");
+  const ProgramRun result = run(words({"tradeoff", row, "--json", "--quiet"}, quick));
+  ASSERT_EQ(result.status, 0) << result.err;
+  const json j = result.json();
+  EXPECT_TRUE(j["contact_time"].is_null());
+  for (const json& order : j["convergence"]) EXPECT_TRUE(order["contact_time_order"].is_null());
+  EXPECT_TRUE(j["convergence"][0]["order"].is_number());
+}
+
 TEST_F(TradeoffCommand, OfAFlowComparesSteps) {
   const std::string file = scene("shear.toml", small_shear);
   const ProgramRun result = run({"tradeoff", file, "--json", "--quiet", "--out", out, "--threads", "1", "--set",

@@ -27,12 +27,12 @@ CollisionConvergence convergence_of(Method method, const std::vector<CollisionPo
   }
   std::sort(own.begin(), own.end(), [](const CollisionPoint& a, const CollisionPoint& b) { return a.setting < b.setting; });
   own.resize((own.size() + 1) / 2);
-  std::vector<double> settings, motion, times;
+  std::vector<double> settings, motion, timed_settings, times;
   for (const CollisionPoint& point : own) {
     settings.push_back(point.setting), motion.push_back(point.motion_rms);
-    if (point.time_rms && *point.time_rms > 0) times.push_back(*point.time_rms);
+    if (point.time_rms && *point.time_rms > 0) timed_settings.push_back(point.setting), times.push_back(*point.time_rms);
   }
-  return {method, convergence_order(settings, motion), convergence_order(settings, times)};
+  return {method, convergence_order(settings, motion), convergence_order(timed_settings, times)};
 }
 
 }  // namespace
