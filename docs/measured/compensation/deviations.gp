@@ -3,17 +3,14 @@ set datafile separator ','
 set encoding utf8
 array labels[6] = ['temperature', 'rotational energy', 'collision rate', 'pressure', 'shear stress', 'coordination']
 set xrange [0.5:6.5]
-set yrange [-60:60]
 set ylabel 'off the original [%]'
 set grid y lc rgb '#dddddd'
 set arrow from 0.5, 0 to 6.5, 0 nohead lc rgb '#000000'
 set xtics out nomirror rotate by -20
 do for [i=1:6] { set xtics add (labels[i] i) }
 set key outside right top Left reverse
-bar(x) = x > 58 ? 58 : x
-draw = "plot for [v=1:5] for [i=1:6] 'deviations.csv' using (strcol(1) eq word(names, v) && $2 == phi && $3 == factor && $4 == 0 ? i + 0.12*(v - 3) : NaN):(bar(column(3 + 2*i))):(column(4 + 2*i)) with yerrorbars pt 2*v + 3 ps 1 lw 1.5 lc rgb word(colours, v) title i == 1 ? word(titles, v) : ''"
+draw = "plot for [v=1:5] for [i=1:6] 'deviations.csv' using (strcol(1) eq word(names, v) && $2 == phi && $3 == factor && $4 == 0 ? i + 0.12*(v - 3) : NaN):(column(3 + 2*i)):(column(4 + 2*i)) with yerrorbars pt 2*v + 3 ps 1 lw 1.5 lc rgb word(colours, v) title i == 1 ? word(titles, v) : ''"
 names = 'rps diameter restitution diameter+restitution fitted'
-titles = 'RPS (a)\ diameter (b)\ restitution (c)\ both (d)\ fitted'
 colours = '#000000 #0072B2 #D55E00 #CC79A7 #009E73'
 titles = '"RPS" "(a) diameter" "(b) restitution" "(c) both" "(d) fitted"'
 do for [k=1:2] {
@@ -21,8 +18,8 @@ do for [k=1:2] {
   else { set terminal pngcairo size 1350,1350 font 'sans,15'; set output 'deviations.png' }
   factor = 1e-4
   set multiplot layout 3,1
-  phi = 0.4; set title 'volume fraction 0.4, factor 1e-4'; @draw
+  phi = 0.4; set yrange [-40:40]; set title 'volume fraction 0.4, factor 1e-4'; @draw
   phi = 0.5; set title 'volume fraction 0.5, factor 1e-4 (where (d) is fitted)'; @draw
-  phi = 0.55; set title 'volume fraction 0.55, factor 1e-4 (points at the upper edge lie beyond it)'; @draw
+  phi = 0.55; set yrange [-100:80]; set title 'volume fraction 0.55, factor 1e-4'; @draw
   unset multiplot
 }
