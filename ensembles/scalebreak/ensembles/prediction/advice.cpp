@@ -43,7 +43,7 @@ class Search {
   /// Above 0 where something is beyond what is allowed: by how much of it, relative.
   [[nodiscard]] double excess(double factor) const {
     const ScaleGroups scaled = groups(factor);
-    double most = scaled.overlap / deep_overlap - 1;
+    double most = beyond_model(scaled);
     for (const QuantityModel& quantity : model_.quantities)
       most = std::max(most, with_error(predict(quantity, original_, scaled)) / scene_.advise.tolerance - 1);
     return most;

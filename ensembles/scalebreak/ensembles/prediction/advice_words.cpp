@@ -85,6 +85,12 @@ void describe_limit(LawAdvice& advice, const DeviationModel& model, const ScaleG
     advice.limit = fmt::format("overlaps would exceed {:g} of R*, more than the contact laws are meant for", deep_overlap);
     return;
   }
+  if (beyond_model(there) > 0) {
+    advice.limiting_mechanism = "adhesion";
+    advice.limit =
+        fmt::format("spheres would stick below more than {:g} of the impact speed, where a flow gathers into lumps", lumps_beyond);
+    return;
+  }
   const QuantityModel* worst = nullptr;
   Prediction off{.deviation = {0, 0}};
   double most = -1;

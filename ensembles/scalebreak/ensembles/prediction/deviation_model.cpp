@@ -1,6 +1,9 @@
 #include <scalebreak/ensembles/prediction/deviation_model.hpp>
 
+#include <algorithm>
 #include <cmath>
+
+#include <scalebreak/collisions/normal/pair_collision.hpp>
 
 namespace scalebreak {
 namespace {
@@ -9,6 +12,10 @@ namespace {
 double sticking(const ScaleGroups& groups) { return 1 / (groups.impact_over_sticking * groups.impact_over_sticking); }
 
 }  // namespace
+
+double beyond_model(const ScaleGroups& scaled) {
+  return std::max(scaled.overlap / deep_overlap, 1 / scaled.impact_over_sticking / lumps_beyond) - 1;
+}
 
 Terms terms_of(const ScaleGroups& original, const ScaleGroups& scaled) {
   return {std::log((1 + scaled.busy) / (1 + original.busy)), scaled.jamming_share * std::log((1 + scaled.busy) / (1 + original.busy)),

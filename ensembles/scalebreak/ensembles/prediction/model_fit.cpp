@@ -92,8 +92,6 @@ void solve(const std::vector<Point>& points, const std::vector<std::size_t>& fit
   }
 }
 
-bool deep(const TrainingRow& row) { return row.scaled.overlap > deep_overlap; }
-
 std::set<std::string> names_of(const std::vector<TrainingRow>& rows, std::string TrainingRow::*member) {
   std::set<std::string> names;
   for (const TrainingRow& row : rows) names.insert(row.*member);
@@ -173,7 +171,7 @@ DeviationModel fit_model(const TrainingRows& training, std::uint64_t seed) {
   DeviationModel model{.seed = seed};
   std::vector<TrainingRow> fit, test;
   for (const TrainingRow& row : training.rows) {
-    if (!deep(row)) (held_back(seed, row.key) ? test : fit).push_back(row);
+    if (beyond_model(row.scaled) <= 0) (held_back(seed, row.key) ? test : fit).push_back(row);
   }
   for (const std::string& quantity : predicted_quantities()) {
     model.quantities.push_back(fit_quantity(quantity, fit));

@@ -54,7 +54,7 @@ struct DeviationModel {
 /// The groups that ranges are kept of, by name.
 [[nodiscard]] std::map<std::string, double> named_groups(const ScaleGroups& groups);
 
-/// Fits the rows that are not held back, without those of overlaps beyond the contact laws (deep_overlap), and tests on the others. Throws WorkError.
+/// Fits the rows that are not held back, without those beyond the model (beyond_model), and tests on the others. Throws WorkError.
 [[nodiscard]] DeviationModel fit_model(const TrainingRows& training, std::uint64_t seed);
 
 }  // namespace scalebreak

@@ -21,7 +21,7 @@ const QuantityModel& model_of(const DeviationModel& model, const std::string& qu
 }
 
 const char* part_of(const DeviationModel& model, const TrainingRow& row) {
-  if (row.scaled.overlap > deep_overlap) return "too_deep";
+  if (beyond_model(row.scaled) > 0) return row.scaled.overlap > deep_overlap ? "too_deep" : "lumps";
   return held_back(model.seed, row.key) ? "held_back" : "fitted";
 }
 
