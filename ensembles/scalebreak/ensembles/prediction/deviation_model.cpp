@@ -8,8 +8,9 @@
 namespace scalebreak {
 namespace {
 
-/// Spheres stick below their sticking speed: the share of impacts grows as its square where few do.
-double sticking(const ScaleGroups& groups) { return 1 / (groups.impact_over_sticking * groups.impact_over_sticking); }
+/// Spheres stick below their sticking speed. Of impacts at random speeds a share that grows as its square does so, but what comes of it in a flow
+/// grows as its first power (docs/prediction.md).
+double sticking(const ScaleGroups& groups) { return 1 / groups.impact_over_sticking; }
 
 }  // namespace
 

@@ -25,7 +25,7 @@ inline constexpr DeviationTerm deviation_terms[] = {
     {"contact_time", "contact time", "ln of 1 + contact time x collision rate, over the original's"},
     {"crowding", "contact time", "contact time x collision rate x solids beyond a fluid's, beside the original's"},
     {"torque", "torque of a direct-force law", "powers of the size by which the torque falls short, x ln of the size"},
-    {"sticking", "adhesion", "ln of 1 + (sticking speed / impact speed)^2, over the original's"},
+    {"sticking", "adhesion", "ln of 1 + sticking speed / impact speed, over the original's"},
 };
 inline constexpr std::size_t term_count = std::size(deviation_terms);
 using Terms = std::array<double, term_count>;
