@@ -34,7 +34,7 @@ using Terms = std::array<double, term_count>;
 /// ln(value / claim) of a collisional flow of hard spheres that are l times larger: `size_excess` × c ln l, of the scaled flow.
 [[nodiscard]] double size_term(double size_excess, const ScaleGroups& scaled);
 /// Beyond this share of the impact speed that sticks, a flow gathers into lumps, of which no term knows.
-inline constexpr double lumps_beyond = 0.25;
+inline constexpr double lumps_beyond = 0.1;
 /// Above 0 where a flow is beyond what contact laws (overlaps of deep_overlap) or this model (lumps_beyond) are meant for, by how much of it.
 [[nodiscard]] double beyond_model(const ScaleGroups& scaled);
 
