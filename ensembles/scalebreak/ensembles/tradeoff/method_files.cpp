@@ -14,6 +14,7 @@
 namespace scalebreak {
 namespace {
 
+constexpr double margin = 1.4;        ///< of lines beyond the marks, on an axis of logarithms
 constexpr double least_drawn = 1e-4;  ///< of an error, on an axis of logarithms
 
 CsvCell filled(double value) { return std::isfinite(value) ? CsvCell(value) : CsvCell(); }
@@ -109,6 +110,9 @@ Csv line_of(const MethodTradeoff& study, bool WayPoint::*on, double WayPoint::*c
     if (i > 0) csv.add({front[i]->*cost, front[i - 1]->judged, std::string()});
     csv.add({front[i]->*cost, front[i]->judged, front[i]->way.name()});
   }
+  double dearest = 0;
+  for (const WayPoint& point : study.points) dearest = std::isfinite(point.*cost) ? std::max(dearest, point.*cost) : dearest;
+  if (!front.empty()) csv.add({margin * dearest, front.back()->judged, std::string()});
   return csv;
 }
 
@@ -135,7 +139,7 @@ Plot plot_of(const MethodTradeoff& study, const std::string& name, const std::st
                            .error = bar_columns});
   }
   plot.curves.push_back({.file = "tradeoff.csv",
-                         .x = cost,
+                         .x = fmt::format("(${}/{:g})", cost, margin),
                          .y = fmt::format("({:.6g})", study.resolution),
                          .title = fmt::format("not told apart below {:.2g} %", 100 * study.resolution),
                          .style = 8});
