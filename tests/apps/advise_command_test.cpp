@@ -18,7 +18,7 @@ using nlohmann::json;
 DeviationModel some_model() {
   DeviationModel model;
   for (const std::string& name : judged_quantities()) {
-    QuantityModel q{.quantity = name, .coefficients = {-0.5, 0.4, -0.1, -0.3}, .scatter = 0.2};
+    QuantityModel q{.quantity = name, .coefficients = {-0.5, 0.4, -0.1, -3}, .scatter = 0.2};
     q.fitted.fill(true);
     for (std::size_t i = 0; i < term_count; ++i) q.covariance[i][i] = 1e-4;
     model.quantities.push_back(q);
@@ -68,10 +68,10 @@ TEST_F(AdviseCommand, GivesEveryKey) {
 }
 
 TEST_F(AdviseCommand, SofteningWithoutCorrectionIsLimitedByAdhesion) {
-  const json j = advice({"study.laws=[\"none\"]", "advise.speed=0.01"});
+  const json j = advice({"study.laws=[\"none\"]", "advise.speed=0.1"});
   const json& softer = j["laws"][0];
   EXPECT_EQ(softer["limiting_mechanism"], "adhesion");
-  EXPECT_GT(softer["factor"], factor_of(advice({"study.laws=[\"rps\"]", "advise.speed=0.01"}), "rps", true));
+  EXPECT_GT(softer["factor"], factor_of(advice({"study.laws=[\"rps\"]", "advise.speed=0.1"}), "rps", true));
 }
 
 TEST_F(AdviseCommand, TighterToleranceIsMilder) {

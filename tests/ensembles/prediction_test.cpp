@@ -148,11 +148,11 @@ std::vector<TrainingRow> synthetic(const QuantityModel& truth, double error, std
   std::vector<TrainingRow> rows;
   for (std::size_t i = 0; i < cells; ++i) {
     TrainingRow row{.study = "synthetic", .law = "rps", .point = "", .key = 0x9e3779b97f4a7c15 * (i + 1), .quantity = truth.quantity};
-    row.original = {.busy = 0.01, .jamming_share = 0.5 * uniform(stream), .impact_over_sticking = 100, .collisional_share = 1};
+    row.original = {.busy = 0.01, .jamming_share = 0.5 * uniform(stream), .impact_over_sticking = 1000, .collisional_share = 1};
     row.scaled = row.original;
     row.scaled.busy = std::pow(10, -1.5 + 1.5 * uniform(stream));
     row.scaled.size = 1 + 2 * uniform(stream), row.scaled.torque_lack = i % 2 == 0 ? 1 : 0;
-    row.scaled.impact_over_sticking = 4.1 + 30 * uniform(stream);
+    row.scaled.impact_over_sticking = 1 / (0.002 + 0.096 * uniform(stream));
     const double exact = predict(truth, row.original, row.scaled).deviation.value;
     row.deviation = {(1 + exact) * std::exp(error * normal(stream)) - 1, (1 + exact) * error};
     rows.push_back(row);

@@ -35,7 +35,7 @@ Plot plot_of(const DeviationModel& model, const std::string& quantity) {
             .log_y = true,
             .curves = {}};
   const auto only = [&](const char* part) { return fmt::format("strcol(7) eq '{}' && strcol(6) eq '{}'", quantity, part); };
-  plot.curves.push_back({.file = "prediction.csv", .x = "(1+$8)", .y = "(1+$8)", .title = "as measured", .only = only("held_back")});
+  plot.curves.push_back({.file = "prediction.csv", .x = "(1+$8)", .y = "(1+$8)", .title = "as measured"});
   plot.curves.push_back({.file = "prediction.csv",
                          .x = "(1+$8)",
                          .y = "(1+$10)",
