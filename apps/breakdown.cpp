@@ -13,10 +13,6 @@
 namespace scalebreak::apps {
 namespace {
 
-std::string title_of(const Options& options) {
-  return options.files.empty() ? "defaults" : std::filesystem::path(options.files.front()).stem().string();
-}
-
 std::string estimate(const Options& options, const Input& input) {
   const StudyGrid grid = study_grid(input);
   return fmt::format("{} cells, {} runs{}, about {:.2g} s on {} threads, below 1 GB", grid.cells.size(),
@@ -51,7 +47,7 @@ void run(const Options& options) {
                                        .stop = told_to_stop,
                                        .progress = options.progress("running the study")});
   if (!options.out.empty()) {
-    for (const std::string& plot : write_study(input, study, title_of(options), options.out))
+    for (const std::string& plot : write_study(input, study, options.title(), options.out))
       options.say(plot + " was not drawn: gnuplot is missing or failed; its script is kept in " + options.out);
   }
   if (!study.complete)

@@ -42,6 +42,8 @@ TableStore Options::store() const {
           .progress = progress("building a collision table")};
 }
 
+std::string Options::title() const { return files.empty() ? "defaults" : std::filesystem::path(files.front()).stem().string(); }
+
 int Options::cores() const { return threads > 0 ? threads : static_cast<int>(std::max(1u, std::thread::hardware_concurrency())); }
 
 void Options::say(const std::string& sentence) const {

@@ -34,6 +34,8 @@ struct Options {
   /// The input of one file, or of none. Throws InputError for a flow if the command takes none.
   [[nodiscard]] Input input(const std::optional<std::string>& file) const;
   [[nodiscard]] Input input() const { return input(files.empty() ? std::nullopt : std::optional(files.front())); }
+  /// What a report calls the input: its file's name.
+  [[nodiscard]] std::string title() const;
   [[nodiscard]] TableStore store() const;
   /// Those of --threads, or all that there are.
   [[nodiscard]] int cores() const;

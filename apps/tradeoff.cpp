@@ -19,10 +19,6 @@ namespace {
 /// Of a stiff contact, in Rayleigh times.
 constexpr double steps_per_collision = 7;
 
-std::string title_of(const Options& options) {
-  return options.files.empty() ? "defaults" : std::filesystem::path(options.files.front()).stem().string();
-}
-
 std::string estimate(const Options& options, Input input) {
   if (!input.flow) {
     double steps = 0;
@@ -84,7 +80,7 @@ void run_all_methods(const Options& options, const Input& input) {
       input,
       {.out = out, .threads = options.cores(), .tables = options.store(), .stop = told_to_stop, .progress = options.progress("measuring")});
   if (!out.empty()) {
-    for (const std::string& plot : write_tradeoff(study, input.run.seed, title_of(options), out))
+    for (const std::string& plot : write_tradeoff(study, input.run.seed, options.title(), out))
       options.say(plot + " was not drawn: gnuplot is missing or failed; its script is kept in " + options.out);
   }
   if (!study.complete)
@@ -100,7 +96,7 @@ void run_all_methods(const Options& options, const Input& input) {
 template <class Study>
 void report(const Options& options, const Input& input, const Study& study) {
   if (!options.out.empty()) {
-    for (const std::string& plot : write_tradeoff(study, title_of(options), options.out))
+    for (const std::string& plot : write_tradeoff(study, options.title(), options.out))
       options.say(plot + " was not drawn: gnuplot is missing or failed; its script is kept in " + options.out);
   }
   deliver(options, input, "tradeoff", tradeoff_json(study));

@@ -149,6 +149,24 @@ TEST(Study, KeepsTheReasonOfARunThatFails) {
   }
 }
 
+TEST(Study, ComparesWithWhatALawClaimsOfTheOriginal) {
+  StudyResult study{.grid = study_grid(resolved(small_study, {"study.volume_fractions=[0.2]"})), .cells = {}};
+  ASSERT_EQ(study.grid.cells[2].law, "sup");  // at 2
+  for (std::size_t i = 0; i < study.grid.cells.size(); ++i) {
+    study.cells.push_back({.cell = i, .replicas = 1});
+    study.cells[i].quantities = {
+        {"rotational_energy", "J", {10, 0.1}}, {"collision_rate", "1/s", {10, 0.1}}, {"pressure", "Pa", {10, 0.1}}};
+  }
+  compare_with_originals(study);
+  EXPECT_TRUE(study.cells[0].deviations.empty());
+  const auto deviation = [&](const char* name) { return study.cells[2].deviation(name)->relative; };
+  EXPECT_NEAR(deviation("rotational_energy").value, 10.0 / (8 * 10) - 1, 1e-12);
+  EXPECT_NEAR(deviation("collision_rate").value, 10.0 / (0.5 * 10) - 1, 1e-12);
+  EXPECT_NEAR(deviation("pressure").value, 0, 1e-12);
+  EXPECT_NEAR(deviation("pressure").error, std::hypot(0.01, 0.01), 1e-12);
+  for (const Comparison& c : study.cells[1].deviations) EXPECT_NEAR(c.relative.value, 0, 1e-12);  // rps keeps all
+}
+
 Comparison off_by(const std::string& name, double relative, double error) {
   return {.name = name,
           .unit = "-",

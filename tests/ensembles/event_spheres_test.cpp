@@ -105,7 +105,6 @@ TEST(EventPair, OfRoughSpheresKeepsItsAngularMomentumAndTurnsItsSliding) {
   EXPECT_NEAR(energy(start) - energy(end), flow.totals().dissipated, 1e-12 * energy(start));
 }
 
-
 TEST(EventGasOfElasticSpheres, KeepsEnergyAndMomentumAndNeverOverlaps) {
   for (const double volume_fraction : {0.1, 0.5}) {
     const System start = test::filled(2000, volume_fraction, {radius}, speed);
@@ -174,9 +173,7 @@ void expect_one_path(const System& start, const EventSetup& setup, const Rule& r
   EXPECT_EQ(fast.totals().lists, resumed.totals().lists);
 }
 
-TEST(EventSpheresAreTheSameBits, InAnElasticGas) {
-  expect_one_path(test::filled(500, 0.3, {radius}, speed), {}, SmoothRule{1.0}, 0.1);
-}
+TEST(EventSpheresAreTheSameBits, InAnElasticGas) { expect_one_path(test::filled(500, 0.3, {radius}, speed), {}, SmoothRule{1.0}, 0.1); }
 
 TEST(EventSpheresAreTheSameBits, InAShearedGasOfRoughSpheresOfTwoSizes) {
   expect_one_path(test::filled(500, 0.4, {radius, 1.5 * radius}, speed, 40), {}, RoughRule{0.9, 0.3}, 0.1);

@@ -58,8 +58,9 @@ TEST_F(FlowStartTest, MassesAreTheMaterialsAndWhereAFileDiffersThatIsSaid) {
   two.mass[1] *= 1.01;
   const FlowStart start = flow_start(from_file());
   EXPECT_NEAR(start.system.mass[1], sphere_mass(0.6e-3, 2500), 1e-20);
-  EXPECT_THAT(start.warnings, testing::ElementsAre((folder / "start.xyz").string() + " gives 1 of 2 spheres another mass than their material "
-                                                                                     "has: the material's are used"));
+  EXPECT_THAT(start.warnings,
+              testing::ElementsAre((folder / "start.xyz").string() + " gives 1 of 2 spheres another mass than their material "
+                                                                     "has: the material's are used"));
 }
 
 TEST_F(FlowStartTest, SpheresThatOverlapAreRefusedWithTheFile) {

@@ -24,9 +24,10 @@ TableStore store() {
 }
 
 Input flow_of(const std::string& contact, double young = 1e9, const std::string& more = "") {
-  return resolved(fmt::format("[material]\nyoung = {:g}\n[contact]\n{}\n[particles]\ncount = 2\n[cell]\nkind = \"cooling\"\n"
-                              "size = [0.02, 0.02, 0.02]\n{}",
-                              young, contact, more));
+  return resolved(
+      fmt::format("[material]\nyoung = {:g}\n[contact]\n{}\n[particles]\ncount = 2\n[cell]\nkind = \"cooling\"\n"
+                  "size = [0.02, 0.02, 0.02]\n{}",
+                  young, contact, more));
 }
 
 /// Two spheres that will meet head on or obliquely, with spins, `far` of their radius apart.
@@ -110,30 +111,36 @@ TEST(TableRule, SaysThatSpheresStick) {
   std::mt19937 random(5);
   const System start = about_to_meet(random, 1e-4, 0, 0.3);
   Tables flow(start, {}, TableRule(input, kinds_of(start), store()));
-  EXPECT_EQ(message_of<WorkError>([&] { flow.advance_to(0.5 * radius / 1e-4); }),
-            "two spheres met at 0.0001 m/s and stick together, which an event cannot say; allowed: a flow that is faster or adheres less, or "
-            "--engine dem, which integrates every contact");
+  EXPECT_EQ(
+      message_of<WorkError>([&] { flow.advance_to(0.5 * radius / 1e-4); }),
+      "two spheres met at 0.0001 m/s and stick together, which an event cannot say; allowed: a flow that is faster or adheres less, or "
+      "--engine dem, which integrates every contact");
 }
 
 TEST(TableRule, RefusesWhatHasNoTables) {
   std::mt19937 random(5);
   const System start = about_to_meet(random, 0.1, 0, 0.3);
-  const auto message = [&](const Input& input) { return message_of<InputError>([&] { (void)TableRule(input, kinds_of(start), store()); }); };
-  EXPECT_EQ(message(flow_of("normal = \"jkr\"", 1e9, "[scaling]\nlaw = \"sup\"\nfactor = 2\n")),
-            "scaling.law: found \"sup\", which maps forces and has no collision tables; allowed in an event-driven run: laws that scale the "
-            "material, or --engine dem, which integrates every contact");
-  EXPECT_EQ(message(flow_of("normal = \"hertz\"\nattraction = \"viscous\"", 1e9)),
-            "contact.attraction: found a liquid, which acts at a distance and has no collision tables; allowed in an event-driven run: \"none\", "
-            "or --engine dem, which integrates every contact");
+  const auto message = [&](const Input& input) {
+    return message_of<InputError>([&] { (void)TableRule(input, kinds_of(start), store()); });
+  };
+  EXPECT_EQ(
+      message(flow_of("normal = \"jkr\"", 1e9, "[scaling]\nlaw = \"sup\"\nfactor = 2\n")),
+      "scaling.law: found \"sup\", which maps forces and has no collision tables; allowed in an event-driven run: laws that scale the "
+      "material, or --engine dem, which integrates every contact");
+  EXPECT_EQ(
+      message(flow_of("normal = \"hertz\"\nattraction = \"viscous\"", 1e9)),
+      "contact.attraction: found a liquid, which acts at a distance and has no collision tables; allowed in an event-driven run: \"none\", "
+      "or --engine dem, which integrates every contact");
   System many = start;
   for (int i = 0; i < 9; ++i) {
     many.radius.push_back(radius * (1 + 0.01 * i));
     for (auto* list : {&many.position, &many.velocity, &many.spin}) list->push_back(Vector3d::Zero());
     many.mass.push_back(1), many.material.push_back(0);
   }
-  EXPECT_EQ(message_of<InputError>([&] { (void)TableRule(flow_of("normal = \"hertz\"\ntangential = \"none\""), kinds_of(many), store()); }),
-            "particles.size: found spheres of more than 8 radii; allowed in an event-driven run: \"mono\" or \"bidisperse\", or --engine dem, which "
-            "integrates every contact");
+  EXPECT_EQ(
+      message_of<InputError>([&] { (void)TableRule(flow_of("normal = \"hertz\"\ntangential = \"none\""), kinds_of(many), store()); }),
+      "particles.size: found spheres of more than 8 radii; allowed in an event-driven run: \"mono\" or \"bidisperse\", or --engine dem, which "
+      "integrates every contact");
 }
 
 }  // namespace

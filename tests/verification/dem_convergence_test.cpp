@@ -88,7 +88,8 @@ TEST_P(OrderOf, TheDistanceToTheExactOutcomeIsWhatTheLawsAllow) {
   constexpr int phases = 16;
   std::vector<double> steps, errors;
   for (double fraction = 0.1; fraction > 0.01; fraction /= 2) {
-    const CollisionPoint point = measure_collision(scene, collision_methods()[static_cast<std::size_t>(GetParam().method)], fraction, phases);
+    const CollisionPoint point =
+        measure_collision(scene, collision_methods()[static_cast<std::size_t>(GetParam().method)], fraction, phases);
     EXPECT_EQ(point.unparted, 0);
     steps.push_back(fraction), errors.push_back(point.motion_rms);
   }

@@ -24,7 +24,8 @@ Input scene_of(const Input& study) {
   const Input plain;
   scene.study = plain.study, scene.study_laws = plain.study_laws, scene.study_factors = plain.study_factors;
   scene.study_speeds = plain.study_speeds, scene.study_integrators = plain.study_integrators;
-  scene.study_energy_growth = plain.study_energy_growth, scene.study_motion_error = plain.study_motion_error, scene.tradeoff = plain.tradeoff;
+  scene.study_energy_growth = plain.study_energy_growth, scene.study_motion_error = plain.study_motion_error,
+  scene.tradeoff = plain.tradeoff;
   scene.advise = plain.advise;
   scene.output = plain.output, scene.output.formats.clear();
   scene.scaling_law = "none", scene.scaling_factor = 1;

@@ -96,7 +96,8 @@ std::vector<std::string> write_comparison(const std::vector<FinishedRun>& runs, 
     report.heading(name_of(runs[pair.second]));
     if (!pair.inputs.empty()) report.paragraph(fmt::format("The inputs differ in {}.", fmt::join(pair.inputs, "; ")));
     std::vector<std::vector<std::string>> rows;
-    for (const Comparison& c : pair.quantities) rows.push_back({sentence(c), c.unit, fmt::format("{:.6g}", c.first.value), fmt::format("{:.6g}", c.second.value)});
+    for (const Comparison& c : pair.quantities)
+      rows.push_back({sentence(c), c.unit, fmt::format("{:.6g}", c.first.value), fmt::format("{:.6g}", c.second.value)});
     report.table({"", "unit", "first", "second"}, rows);
   }
   if (!plots.empty()) report.heading("Profiles");

@@ -30,8 +30,13 @@ std::vector<Plot> profile_plots(const std::string& header, const std::vector<Pro
   for (const Kind& kind : kinds) {
     const std::size_t column = column_of(header, kind.column);
     if (column == 0) continue;
-    Plot plot{std::string("profile_") + kind.column, std::string(kind.title) + " over the height: " + what, "height z [m]", kind.label,
-              false, false, {}};
+    Plot plot{std::string("profile_") + kind.column,
+              std::string(kind.title) + " over the height: " + what,
+              "height z [m]",
+              kind.label,
+              false,
+              false,
+              {}};
     for (const ProfileFile& file : files)
       plot.curves.push_back({file.file, "1", std::to_string(column), file.title, false, static_cast<int>(plot.curves.size())});
     plots.push_back(plot);

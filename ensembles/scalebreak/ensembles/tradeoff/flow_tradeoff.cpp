@@ -19,8 +19,7 @@ struct FlowMethod {
   Method method;
   Integrator integrator;
 };
-constexpr FlowMethod flow_methods[] = {{Method::verlet, Integrator::verlet},
-                                       {Method::synchronized, Integrator::synchronized}};
+constexpr FlowMethod flow_methods[] = {{Method::verlet, Integrator::verlet}, {Method::synchronized, Integrator::synchronized}};
 
 /// Relative to a value that is not known to this share, a deviation says nothing: a shear stress without shear, a temperature at rest.
 constexpr double well_known = 0.1;

@@ -34,7 +34,8 @@ namespace {
     const std::size_t last = list.size() - 1;
     const std::array<Neighbour, 4> four = {list[k], list[std::min(k + 1, last)], list[std::min(k + 2, last)], list[std::min(k + 3, last)]};
     const auto numbers = [&](std::size_t lane) { return reinterpret_cast<const double*>(&flight.sphere[four[lane].sphere()]); };
-    __m256d x = _mm256_load_pd(numbers(0)), y = _mm256_load_pd(numbers(1)), z = _mm256_load_pd(numbers(2)), time = _mm256_load_pd(numbers(3));
+    __m256d x = _mm256_load_pd(numbers(0)), y = _mm256_load_pd(numbers(1)), z = _mm256_load_pd(numbers(2)),
+            time = _mm256_load_pd(numbers(3));
     __m256d vx = _mm256_load_pd(numbers(0) + 4), vy = _mm256_load_pd(numbers(1) + 4), vz = _mm256_load_pd(numbers(2) + 4),
             radius = _mm256_load_pd(numbers(3) + 4);
     transpose(x, y, z, time);
@@ -51,9 +52,11 @@ namespace {
       apart[axis] = _mm256_add_pd(apart[axis], _mm256_mul_pd(flown, mean));
       relative[axis] = _mm256_sub_pd(relative[axis], _mm256_set1_pd(here.velocity[axis]));
     }
-    if (four[0].image() != Images::home || four[1].image() != Images::home || four[2].image() != Images::home || four[3].image() != Images::home) {
+    if (four[0].image() != Images::home || four[1].image() != Images::home || four[2].image() != Images::home ||
+        four[3].image() != Images::home) {
       const auto image = [&](std::size_t lane) { return reinterpret_cast<const double*>(&flight.images[four[lane].image()]); };
-      __m256d sx = _mm256_loadu_pd(image(0)), sy = _mm256_loadu_pd(image(1)), sz = _mm256_loadu_pd(image(2)), drift = _mm256_loadu_pd(image(3));
+      __m256d sx = _mm256_loadu_pd(image(0)), sy = _mm256_loadu_pd(image(1)), sz = _mm256_loadu_pd(image(2)),
+              drift = _mm256_loadu_pd(image(3));
       transpose(sx, sy, sz, drift);
       apart[0] = _mm256_add_pd(apart[0], _mm256_add_pd(sx, _mm256_mul_pd(now, drift)));
       apart[1] = _mm256_add_pd(apart[1], sy);
@@ -67,7 +70,8 @@ namespace {
     const __m256d discriminant = _mm256_sub_pd(_mm256_mul_pd(approach, approach), _mm256_mul_pd(dot(relative, relative), gap));
     const __m256d meet = _mm256_and_pd(_mm256_cmp_pd(approach, zero, _CMP_LT_OQ), _mm256_cmp_pd(discriminant, zero, _CMP_GE_OQ));
     if (_mm256_movemask_pd(meet) == 0) continue;
-    const __m256d wait = _mm256_max_pd(_mm256_div_pd(gap, _mm256_sub_pd(_mm256_sqrt_pd(_mm256_max_pd(discriminant, zero)), approach)), zero);
+    const __m256d wait =
+        _mm256_max_pd(_mm256_div_pd(gap, _mm256_sub_pd(_mm256_sqrt_pd(_mm256_max_pd(discriminant, zero)), approach)), zero);
     const __m256d sooner = _mm256_and_pd(meet, _mm256_cmp_pd(wait, soonest, _CMP_LT_OQ));
     soonest = _mm256_blendv_pd(soonest, wait, sooner);
     const double place = static_cast<double>(k);
