@@ -14,18 +14,18 @@
 #include <scalebreak/ensembles/run/flow_run.hpp>
 #include <scalebreak/ensembles/run/run_flow.hpp>
 #include <scalebreak/output/atomic_file.hpp>
+#include <scalebreak/output/known.hpp>
 
 namespace scalebreak {
 namespace {
 
 using nlohmann::json;
 
-json number(double value) { return std::isfinite(value) ? json(value) : json(); }
 double number_of(const json& value) { return value.is_null() ? std::numeric_limits<double>::quiet_NaN() : value.get<double>(); }
 
 json to_json(const CellReplica& r) {
   json quantities = json::array();
-  for (const Quantity& q : r.quantities) quantities.push_back({q.name, number(q.measured.value), number(q.measured.error)});
+  for (const Quantity& q : r.quantities) quantities.push_back({q.name, known_number(q.measured.value), known_number(q.measured.error)});
   return {{"failure", r.failure},
           {"quantities", quantities},
           {"particles", r.particles},
@@ -33,10 +33,10 @@ json to_json(const CellReplica& r) {
           {"steps", r.steps},
           {"events", r.events},
           {"wall_seconds", r.wall_seconds},
-          {"processor_seconds", number(r.processor_seconds)},
-          {"evaluations", number(r.work.evaluations)},
-          {"lookups", number(r.work.lookups)},
-          {"sphere_steps", number(r.work.sphere_steps)},
+          {"processor_seconds", known_number(r.processor_seconds)},
+          {"evaluations", known_number(r.work.evaluations)},
+          {"lookups", known_number(r.work.lookups)},
+          {"sphere_steps", known_number(r.work.sphere_steps)},
           {"contact_time", r.contact_time},
           {"patch_fraction", r.patch_fraction ? json(*r.patch_fraction) : json()},
           {"version", r.version}};

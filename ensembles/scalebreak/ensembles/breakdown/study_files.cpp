@@ -3,15 +3,16 @@
 #include <cmath>
 
 #include <scalebreak/ensembles/breakdown/verdicts.hpp>
+#include <scalebreak/output/known.hpp>
 
 namespace scalebreak {
 namespace {
 
 using nlohmann::json;
 
-CsvCell filled(double value) { return std::isfinite(value) ? CsvCell(value) : CsvCell(); }
+CsvCell filled(double value) { return known_cell(value); }
 CsvCell filled(const std::optional<double>& value) { return value ? CsvCell(*value) : CsvCell(); }
-json number(double value) { return std::isfinite(value) ? json(value) : json(); }
+json number(double value) { return known_number(value); }
 json number(const std::optional<double>& value) { return value ? json(*value) : json(); }
 
 constexpr const char* verdict_words[] = {"no_difference", "difference", "unknown"};  ///< in the order of Verdict

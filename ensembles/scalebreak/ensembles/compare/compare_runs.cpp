@@ -9,6 +9,7 @@
 #include <scalebreak/output/atomic_file.hpp>
 #include <scalebreak/output/csv.hpp>
 #include <scalebreak/output/html.hpp>
+#include <scalebreak/output/known.hpp>
 #include <scalebreak/output/plot.hpp>
 
 namespace scalebreak {
@@ -19,9 +20,6 @@ using nlohmann::json;
 constexpr const char* verdict_words[] = {"no difference", "difference", "unknown"};
 const char* word_of(Verdict verdict) { return verdict_words[static_cast<std::size_t>(verdict)]; }
 
-json number(double value) { return std::isfinite(value) ? json(value) : json(); }
-CsvCell cell(double value) { return std::isfinite(value) ? CsvCell(value) : CsvCell(); }
-
 std::string name_of(const FinishedRun& run) { return run.folder.lexically_normal().string(); }
 
 std::string comparison_csv(const std::vector<FinishedRun>& runs, const std::vector<RunComparison>& comparisons) {
@@ -29,9 +27,9 @@ std::string comparison_csv(const std::vector<FinishedRun>& runs, const std::vect
            "difference_error", "relative [-]", "relative_error [-]", "verdict"});
   for (const RunComparison& pair : comparisons) {
     for (const Comparison& c : pair.quantities)
-      csv.add({name_of(runs.front()), name_of(runs[pair.second]), c.name, c.unit, cell(c.first.value), cell(c.first.error),
-               cell(c.second.value), cell(c.second.error), cell(c.difference.value), cell(c.difference.error), cell(c.relative.value),
-               cell(c.relative.error), word_of(c.verdict)});
+      csv.add({name_of(runs.front()), name_of(runs[pair.second]), c.name, c.unit, known_cell(c.first.value), known_cell(c.first.error),
+               known_cell(c.second.value), known_cell(c.second.error), known_cell(c.difference.value), known_cell(c.difference.error),
+               known_cell(c.relative.value), known_cell(c.relative.error), word_of(c.verdict)});
   }
   return csv.text();
 }
@@ -64,14 +62,14 @@ json comparison_json(const std::vector<FinishedRun>& runs, const std::vector<Run
     for (const Comparison& c : pair.quantities)
       quantities.push_back({{"quantity", c.name},
                             {"unit", c.unit},
-                            {"first", number(c.first.value)},
-                            {"first_error", number(c.first.error)},
-                            {"second", number(c.second.value)},
-                            {"second_error", number(c.second.error)},
-                            {"difference", number(c.difference.value)},
-                            {"difference_error", number(c.difference.error)},
-                            {"relative", number(c.relative.value)},
-                            {"relative_error", number(c.relative.error)},
+                            {"first", known_number(c.first.value)},
+                            {"first_error", known_number(c.first.error)},
+                            {"second", known_number(c.second.value)},
+                            {"second_error", known_number(c.second.error)},
+                            {"difference", known_number(c.difference.value)},
+                            {"difference_error", known_number(c.difference.error)},
+                            {"relative", known_number(c.relative.value)},
+                            {"relative_error", known_number(c.relative.error)},
                             {"verdict", word_of(c.verdict)}});
     list.push_back({{"first", name_of(runs.front())},
                     {"second", name_of(runs[pair.second])},

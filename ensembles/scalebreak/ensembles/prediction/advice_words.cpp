@@ -7,6 +7,7 @@
 
 #include <scalebreak/collisions/normal/pair_collision.hpp>
 #include <scalebreak/ensembles/breakdown/study_quantities.hpp>
+#include <scalebreak/output/known.hpp>
 
 namespace scalebreak {
 namespace {
@@ -15,8 +16,6 @@ using nlohmann::json;
 
 constexpr double a_little = 1.02;
 constexpr double range_margin = 1.05;  ///< of a fitted range that counts as inside
-
-json number(double value) { return std::isfinite(value) ? json(value) : json(); }
 
 /// The term that moves a prediction most, and the others that go the same way do not.
 std::string mechanism_of(const Prediction& prediction) {
@@ -48,7 +47,7 @@ std::string reason_of(const std::string& mechanism, const ScaleGroups& original,
 
 json groups_json(const ScaleGroups& groups) {
   json object = json::object();
-  for (const auto& [name, value] : named_groups(groups)) object[name] = number(value);
+  for (const auto& [name, value] : named_groups(groups)) object[name] = known_number(value);
   object["temperature"] = groups.temperature, object["impact_speed"] = groups.impact_speed;
   object["contact_time"] = groups.contact_time, object["collision_rate"] = groups.collision_rate;
   return object;
@@ -57,16 +56,16 @@ json groups_json(const ScaleGroups& groups) {
 json law_json(const LawAdvice& advice) {
   json errors = json::object();
   for (const auto& [name, p] : advice.predictions)
-    errors[name] = {{"deviation", number(p.deviation.value)}, {"uncertainty", number(p.deviation.error)}};
+    errors[name] = {{"deviation", known_number(p.deviation.value)}, {"uncertainty", known_number(p.deviation.error)}};
   const Measured expected = advice.expected_error();
   return {{"law", advice.law},
           {"factor", advice.factor},
           {"engine", advice.engine},
           {"engine_reason", advice.engine_reason},
-          {"expected_error", number(expected.value)},
-          {"expected_error_uncertainty", number(expected.error)},
+          {"expected_error", known_number(expected.value)},
+          {"expected_error_uncertainty", known_number(expected.error)},
           {"expected_error_of", advice.worst},
-          {"speedup", number(advice.speedup)},
+          {"speedup", known_number(advice.speedup)},
           {"limiting_mechanism", advice.limiting_mechanism},
           {"limit", advice.limit},
           {"warnings", advice.warnings},

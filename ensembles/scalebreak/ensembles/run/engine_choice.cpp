@@ -5,6 +5,7 @@
 #include <scalebreak/ensembles/run/run_estimate.hpp>
 
 namespace scalebreak {
+
 EngineChoice choose_engine(const std::string& engine, const Input& input, int threads, double worth) {
   if (engine != "auto") return {engine, "as --engine says"};
   if (input.cell.kind == CellKind::confined_shear) return {"dem", "the height of the cell follows the stress of every step"};

@@ -9,15 +9,13 @@
 #include <scalebreak/output/atomic_file.hpp>
 #include <scalebreak/output/csv.hpp>
 #include <scalebreak/output/html.hpp>
+#include <scalebreak/output/known.hpp>
 #include <scalebreak/output/plot.hpp>
 
 namespace scalebreak {
 namespace {
 
 using nlohmann::json;
-
-json or_null(double value) { return std::isfinite(value) ? json(value) : json(); }
-CsvCell or_empty(double value) { return std::isfinite(value) ? CsvCell(value) : CsvCell(); }
 
 /// The step over the original's.
 Measured ratio(const StabilityStudy& study, const StabilityRecord& record) {
@@ -122,7 +120,7 @@ std::string stability_csv(const StabilityStudy& study) {
   Csv csv(header);
   for (const StabilityRecord& r : study.records) {
     std::vector<CsvCell> row = {r.law, r.factor, r.integrator, r.criterion};
-    for (const Column& column : columns) row.push_back(or_empty(column.of(study, r)));
+    for (const Column& column : columns) row.push_back(known_cell(column.of(study, r)));
     row.emplace_back(r.failure());
     csv.add(row);
   }
@@ -158,7 +156,7 @@ json stability_json(const Input& input, const StabilityStudy& study) {
                           {"stopped", trial.stopped}});
     }
     json record = {{"law", r.law}, {"factor", r.factor}, {"integrator", r.integrator}, {"criterion", r.criterion}};
-    for (const Column& column : columns) record[column.name] = or_null(column.of(study, r));
+    for (const Column& column : columns) record[column.name] = known_number(column.of(study, r));
     record["failure"] = r.failure(), record["trials"] = trials;
     records.push_back(std::move(record));
   }

@@ -7,12 +7,12 @@
 #include <scalebreak/output/atomic_file.hpp>
 #include <scalebreak/output/csv.hpp>
 #include <scalebreak/output/html.hpp>
+#include <scalebreak/output/known.hpp>
 #include <scalebreak/output/plot.hpp>
 
 namespace scalebreak {
 namespace {
 
-CsvCell cell(double value) { return std::isfinite(value) ? CsvCell(value) : CsvCell(); }
 const char* word(Method method) { return method_words[static_cast<std::size_t>(method)]; }
 
 Csv csv_of(const FlowTradeoff& study) {
@@ -29,10 +29,16 @@ Csv csv_of(const FlowTradeoff& study) {
   Csv csv(header);
   for (std::size_t i = 0; i < study.points.size(); ++i) {
     const FlowPoint& p = study.points[i];
-    std::vector<CsvCell> row = {
-        std::string(word(p.method)), p.step_fraction,       p.step, cell(p.force_evaluations), p.particle_steps, p.seconds, cell(p.largest),
-        cell(p.largest_error),       p.on_front ? 1.0 : 0.0};
-    for (const Comparison& c : p.deviations) row.push_back(cell(c.relative.value)), row.push_back(cell(c.relative.error));
+    std::vector<CsvCell> row = {std::string(word(p.method)),
+                                p.step_fraction,
+                                p.step,
+                                known_cell(p.force_evaluations),
+                                p.particle_steps,
+                                p.seconds,
+                                known_cell(p.largest),
+                                known_cell(p.largest_error),
+                                p.on_front ? 1.0 : 0.0};
+    for (const Comparison& c : p.deviations) row.push_back(known_cell(c.relative.value)), row.push_back(known_cell(c.relative.error));
     csv.add(row);
   }
   return csv;

@@ -9,6 +9,7 @@
 #include <scalebreak/output/atomic_file.hpp>
 #include <scalebreak/output/csv.hpp>
 #include <scalebreak/output/html.hpp>
+#include <scalebreak/output/known.hpp>
 #include <scalebreak/output/plot.hpp>
 
 namespace scalebreak {
@@ -17,7 +18,7 @@ namespace {
 constexpr double margin = 1.4;        ///< of lines beyond the marks, on an axis of logarithms
 constexpr double least_drawn = 1e-4;  ///< of an error, on an axis of logarithms
 
-CsvCell filled(double value) { return std::isfinite(value) ? CsvCell(value) : CsvCell(); }
+CsvCell filled(double value) { return known_cell(value); }
 CsvCell filled(const std::string& text) { return text.empty() ? CsvCell() : CsvCell(text); }
 
 /// Columns of csv_of that plots take, from 1.
