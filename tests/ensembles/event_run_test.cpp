@@ -109,31 +109,5 @@ TEST_F(EventRun, ThatSticksSaysSo) {
       testing::HasSubstr(" stick together, which an event cannot say; allowed: a flow that is faster or adheres less, or --engine dem"));
 }
 
-// Patches that meet at one instant merge, part and meet again, each time with another stretch: once for ever.
-TEST(HybridRun, OfACrowdComesToItsEnd) {
-  TemporaryFolder folder;
-  const Input input = resolved(R"(
-[material]
-name = "glass"
-surface_energy = 0
-[contact]
-normal = "hertz"
-tangential = "mindlin"
-[particles]
-count = 500
-radius = 0.5e-3
-volume_fraction = 0.55
-speed = 0.1
-[cell]
-kind = "shear"
-shear_rate = 40
-[run]
-warmup_strain = 0.1
-strain = 0.3
-)");
-  const RunOutcome outcome = run_flow(input, {.engine = "hybrid", .tables = TableStore{.folder = folder / "tables"}});
-  EXPECT_NEAR(outcome.measured.duration, 0.3 / 40, 1e-4);
-}
-
 }  // namespace
 }  // namespace scalebreak::tests
