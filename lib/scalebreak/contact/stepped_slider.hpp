@@ -12,15 +12,17 @@ template <class T>
 struct Vector3Of {
   T x = 0, y = 0, z = 0;
 
-  [[nodiscard]] T dot(const Vector3Of& b) const { return x * b.x + y * b.y + z * b.z; }
-  [[nodiscard]] Vector3Of cross(const Vector3Of& b) const { return {y * b.z - z * b.y, z * b.x - x * b.z, x * b.y - y * b.x}; }
-  [[nodiscard]] T norm() const {
+  [[nodiscard, gnu::always_inline]] T dot(const Vector3Of& b) const { return x * b.x + y * b.y + z * b.z; }
+  [[nodiscard, gnu::always_inline]] Vector3Of cross(const Vector3Of& b) const {
+    return {y * b.z - z * b.y, z * b.x - x * b.z, x * b.y - y * b.x};
+  }
+  [[nodiscard, gnu::always_inline]] T norm() const {
     using std::sqrt;
     return sqrt(dot(*this));
   }
-  friend Vector3Of operator+(const Vector3Of& a, const Vector3Of& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-  friend Vector3Of operator-(const Vector3Of& a, const Vector3Of& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-  friend Vector3Of operator*(const T& s, const Vector3Of& a) { return {s * a.x, s * a.y, s * a.z}; }
+  [[gnu::always_inline]] friend Vector3Of operator+(const Vector3Of& a, const Vector3Of& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+  [[gnu::always_inline]] friend Vector3Of operator-(const Vector3Of& a, const Vector3Of& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+  [[gnu::always_inline]] friend Vector3Of operator*(const T& s, const Vector3Of& a) { return {s * a.x, s * a.y, s * a.z}; }
 };
 
 /// A history turned into the plane across `normal`. What a turn by the angle α of one step takes off its length, α²/2, is left off.
@@ -70,16 +72,23 @@ template <class T>
     history = stretched + carried;
     return trial;
   }
-  const Vector3Of<T> sliding = over(trial, law.limit) * trial, spring = sliding - dashpot;
-  // Along the force: what the spring would pull, and what it pulls if it is left as it is; both times the limit.
-  const Vector3Of<T> left = law.stiffness * history;
-  const T pull = sliding.dot(spring);
-  const auto skids = slides && pull < 0.0 && pull < sliding.dot(left);
-  const Vector3Of<T> kept = left + dashpot, skidding = over(kept, law.limit) * kept;
+  const T share = choose(slides, T(law.limit / sqrt(choose(slides, trial.dot(trial), T(1)))), T(1));
+  const Vector3Of<T> sliding = share * trial, spring = sliding - dashpot;
   const T softness = choose(law.stiffness > 0.0, T(1.0 / choose(law.stiffness > 0.0, law.stiffness, T(1))), T(0));
-  history.x = choose(slides, choose(skids, history.x, T(softness * spring.x + carried.x)), T(stretched.x + carried.x));
-  history.y = choose(slides, choose(skids, history.y, T(softness * spring.y + carried.y)), T(stretched.y + carried.y));
-  history.z = choose(slides, choose(skids, history.z, T(softness * spring.z + carried.z)), T(stretched.z + carried.z));
+  const Vector3Of<T> slid = softness * spring + carried, held = stretched + carried;
+  // Along the force: what the spring would pull, and what it pulls if it is left as it is; both times the limit.
+  const T pull = sliding.dot(spring);
+  const auto pushes = slides && pull < 0.0;
+  if (!any(pushes)) {
+    history = {choose(slides, slid.x, held.x), choose(slides, slid.y, held.y), choose(slides, slid.z, held.z)};
+    return sliding;
+  }
+  const Vector3Of<T> left = law.stiffness * history;
+  const auto skids = pushes && pull < sliding.dot(left);
+  const Vector3Of<T> kept = left + dashpot, skidding = over(kept, law.limit) * kept;
+  history.x = choose(slides, choose(skids, history.x, slid.x), held.x);
+  history.y = choose(slides, choose(skids, history.y, slid.y), held.y);
+  history.z = choose(slides, choose(skids, history.z, slid.z), held.z);
   return {choose(skids, skidding.x, sliding.x), choose(skids, skidding.y, sliding.y), choose(skids, skidding.z, sliding.z)};
 }
 

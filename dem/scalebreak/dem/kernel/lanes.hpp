@@ -39,24 +39,35 @@ template <class Work>
   to[3] = __builtin_shuffle(odd1, odd2, Order{2, 3, 6, 7});
 }
 
+/// Two quads, and eight doubles of a pack: put together and taken apart in registers, as what is stored by halves and read as a whole waits.
+using Eight [[gnu::vector_size(64)]] = double;
+using EightOrder [[gnu::vector_size(64)]] = long;
+
+/// Quads 0 to 7, as 0 and 4, 1 and 5, 2 and 6, 3 and 7, turned into their x, y, z and w in the order of quads.
+[[gnu::always_inline]] inline void transpose(const Eight* from, Eight* to) {
+  constexpr EightOrder even{0, 8, 2, 10, 4, 12, 6, 14}, odd{1, 9, 3, 11, 5, 13, 7, 15};
+  constexpr EightOrder low{0, 1, 8, 9, 4, 5, 12, 13}, high{2, 3, 10, 11, 6, 7, 14, 15};
+  const Eight even1 = __builtin_shuffle(from[0], from[1], even), odd1 = __builtin_shuffle(from[0], from[1], odd);
+  const Eight even2 = __builtin_shuffle(from[2], from[3], even), odd2 = __builtin_shuffle(from[2], from[3], odd);
+  to[0] = __builtin_shuffle(even1, even2, low), to[1] = __builtin_shuffle(odd1, odd2, low);
+  to[2] = __builtin_shuffle(even1, even2, high), to[3] = __builtin_shuffle(odd1, odd2, high);
+}
+
 /// x, y, z and w of `width` quads.
 struct Columns {
   Pack x, y, z, w;
 };
 template <class P = Pack>
 [[gnu::always_inline]] inline Columns columns(const Four* quads) {
-  struct Halves {
-    Four low, high;
-  };
   if constexpr (P::size() == 4) {
     Four c[4];
     transpose(quads, c);
     return {std::bit_cast<P>(c[0]), std::bit_cast<P>(c[1]), std::bit_cast<P>(c[2]), std::bit_cast<P>(c[3])};
   } else if constexpr (P::size() == 8) {
-    Four a[4], b[4];
-    transpose(quads, a), transpose(quads + 4, b);
-    return {std::bit_cast<P>(Halves{a[0], b[0]}), std::bit_cast<P>(Halves{a[1], b[1]}), std::bit_cast<P>(Halves{a[2], b[2]}),
-            std::bit_cast<P>(Halves{a[3], b[3]})};
+    Eight pairs[4], c[4];
+    for (int k = 0; k < 4; ++k) pairs[k] = __builtin_shufflevector(quads[k], quads[k + 4], 0, 1, 2, 3, 4, 5, 6, 7);
+    transpose(pairs, c);
+    return {std::bit_cast<P>(c[0]), std::bit_cast<P>(c[1]), std::bit_cast<P>(c[2]), std::bit_cast<P>(c[3])};
   } else {
     return {P([&](auto k) { return quads[k][0]; }), P([&](auto k) { return quads[k][1]; }), P([&](auto k) { return quads[k][2]; }),
             P([&](auto k) { return quads[k][3]; })};
@@ -82,16 +93,17 @@ template <class P = Pack>
 /// Vectors turned into quads; w is 0.
 template <class P = Pack>
 [[gnu::always_inline]] inline void spread(const Vector3Of<P>& v, Four* quads) {
-  struct Halves {
-    Four low, high;
-  };
   if constexpr (P::size() == 4) {
     const Four c[4] = {std::bit_cast<Four>(v.x), std::bit_cast<Four>(v.y), std::bit_cast<Four>(v.z), all(0)};
     transpose(c, quads);
   } else if constexpr (P::size() == 8) {
-    const auto x = std::bit_cast<Halves>(v.x), y = std::bit_cast<Halves>(v.y), z = std::bit_cast<Halves>(v.z);
-    const Four low[4] = {x.low, y.low, z.low, all(0)}, high[4] = {x.high, y.high, z.high, all(0)};
-    transpose(low, quads), transpose(high, quads + 4);
+    const Eight c[4] = {std::bit_cast<Eight>(v.x), std::bit_cast<Eight>(v.y), std::bit_cast<Eight>(v.z), Eight{}};
+    Eight pairs[4];
+    transpose(c, pairs);
+    for (int k = 0; k < 4; ++k) {
+      quads[k] = __builtin_shufflevector(pairs[k], pairs[k], 0, 1, 2, 3),
+      quads[k + 4] = __builtin_shufflevector(pairs[k], pairs[k], 4, 5, 6, 7);
+    }
   } else {
     each_lane([&](auto k) { quads[k] = Four{v.x[k], v.y[k], v.z[k], 0}; });
   }
