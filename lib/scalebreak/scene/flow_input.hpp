@@ -89,7 +89,7 @@ struct RunInput {
 struct OutputInput {
   double interval = 0;  ///< between rows of the series and particle files [s]; 0: about 200 over the run
   ParticleFields fields = all_particle_fields;
-  std::vector<ParticleFormat> formats = {ParticleFormat::vtp, ParticleFormat::xyz};
+  std::vector<ParticleFormat> formats;
   double checkpoint_interval = 60;  ///< of wall time [s]; 0: none
 
   bool operator==(const OutputInput&) const = default;

@@ -104,7 +104,7 @@ void add_output(std::vector<Key>& list) {
   const Section<OutputInput> add{list, "output", &Input::output};
   add.number("interval", "s", "time between rows of the series, and particle files; 0: about 200 over the run", &OutputInput::interval);
   add.words("fields", "what particle files hold beside identity and position", particle_field_words, &OutputInput::fields);
-  add.words("formats", "formats of particle files: CSV, ParaView, extended XYZ, LAMMPS dump; empty: none", particle_format_words,
+  add.words("formats", "formats of particle files: CSV, ParaView, extended XYZ, LAMMPS dump; empty: no such files", particle_format_words,
             &OutputInput::formats);
   add.number("checkpoint_interval", "s", "wall time between checkpoints; 0: none", &OutputInput::checkpoint_interval);
 }
