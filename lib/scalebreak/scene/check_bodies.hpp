@@ -12,6 +12,10 @@ inline constexpr std::size_t fewest_bodies = 2, most_bodies = 50;
 
 /// Overlap over radius up to which spheres count as touching at the start.
 inline constexpr double touching_overlap = 1e-9;
+/// The same of a gap: one by rounding alone is none.
+inline constexpr double touching_gap = 1e-12;
+/// Surfaces that approach or part slower than this share of the largest speed are at rest to each other.
+inline constexpr double resting_speed = 1e-12;
 
 /// Throws InputError: so many bodies there cannot be. `item` is one of those too many, or the only one.
 [[noreturn]] void refuse_number_of_bodies(const Assignment& item, std::size_t bodies);

@@ -21,8 +21,8 @@ void FewBodySystem::begin(State& y, std::vector<Change>& changes) {
       const bool attracts = laws.liquid.acts() || std::visit([](const auto& law) { return law.force(law.touch()) < 0; }, laws.normal);
       const double radius = bodies_[j].plane ? bodies_[i].radius : std::min(bodies_[i].radius, bodies_[j].radius);
       const Geometry g = geometry(y, i, j);
-      const bool at_touch = g.gap <= 1e-12 * radius && g.gap >= -touching_overlap * radius;  // a gap by rounding alone is none
-      if (attracts && at_touch && std::abs(g.velocity.dot(g.normal)) <= 1e-12 * speed_unit_) touch(y, i, j, changes);
+      const bool at_touch = g.gap <= touching_gap * radius && g.gap >= -touching_overlap * radius;
+      if (attracts && at_touch && std::abs(g.velocity.dot(g.normal)) <= resting_speed * speed_unit_) touch(y, i, j, changes);
     }
   }
 }

@@ -8,6 +8,7 @@
 
 #include <scalebreak/base/error.hpp>
 #include <scalebreak/collisions/bodies/moving_scene.hpp>
+#include <scalebreak/start/touching_contacts.hpp>
 
 namespace scalebreak {
 namespace {
@@ -42,6 +43,7 @@ System bodies_start(const Input& input) {
   system.cell.boundary = {Boundary::open, Boundary::open, Boundary::open};
   if (scene.bodies.back().plane) system.cell.boundary[2] = Boundary::wall, corner.z() = 0;
   for (Eigen::Vector3d& position : system.position) position -= corner;
+  system.contacts = touching_contacts(system);
   return system;
 }
 

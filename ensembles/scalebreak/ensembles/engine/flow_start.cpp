@@ -10,6 +10,7 @@
 #include <scalebreak/scene/flow_scene.hpp>
 #include <scalebreak/start/check_overlap.hpp>
 #include <scalebreak/start/filling.hpp>
+#include <scalebreak/start/touching_contacts.hpp>
 
 namespace scalebreak {
 namespace {
@@ -72,6 +73,7 @@ FlowStart from_file(const Input& input, const Flow& flow) {
   if (const std::size_t differ = set_masses(system, input); differ > 0)
     start.warnings.push_back(fmt::format("{} gives {} of {} spheres another mass than their material has: the material's are used",
                                          flow.file, differ, system.count()));
+  system.contacts = touching_contacts(system);
   enlarge(system, flow.size_factor);
   (void)set_masses(system, input);
   start.speed = root_mean_square_speed(system);
