@@ -19,8 +19,10 @@ TEST(TouchingContacts, AreOfSpheresAndWallsAtRest) {
   const auto contacts = touching_contacts(two(0));
   ASSERT_EQ(contacts.size(), 3u);
   EXPECT_EQ(contacts[0].second, wall_number(2, false));
-  EXPECT_EQ(contacts[1].first, 0), EXPECT_EQ(contacts[1].second, 1);
-  EXPECT_EQ(contacts[2].first, 1), EXPECT_EQ(contacts[2].second, wall_number(2, false));
+  EXPECT_EQ(contacts[1].first, 0);
+  EXPECT_EQ(contacts[1].second, 1);
+  EXPECT_EQ(contacts[2].first, 1);
+  EXPECT_EQ(contacts[2].second, wall_number(2, false));
   for (const ContactMemory& contact : contacts) EXPECT_TRUE(contact.touching);
 }
 

@@ -38,4 +38,6 @@ const Kernel& kernel(const char* name) {
   throw InputError(fmt::format("there is no kernel \"{}\"; allowed: baseline, avx2, avx512", name));
 }
 
+const Kernel& kernel_for_few() { return runs(avx2::kernel) ? avx2::kernel : baseline::kernel; }
+
 }  // namespace scalebreak::dem

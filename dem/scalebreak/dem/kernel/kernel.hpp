@@ -173,5 +173,7 @@ struct Kernel {
 /// The fastest kernel that this processor runs, or the one of a name: "baseline", "avx2", "avx512". Throws InputError for a name
 /// that there is not, or that this processor cannot run.
 [[nodiscard]] const Kernel& kernel(const char* name = nullptr);
+/// The fastest for lists of a few contacts, which do not fill the widest vectors.
+[[nodiscard]] const Kernel& kernel_for_few();
 
 }  // namespace scalebreak::dem
