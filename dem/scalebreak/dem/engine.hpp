@@ -115,6 +115,7 @@ class Dem::Engine {
   void add_forces(Worker& worker, HistorySteps histories);
   void fetch_deferred(Worker& worker);
   void take_tallies();
+  void finish_step();
   void kick(std::uint32_t sphere, double share);
   [[noreturn]] void unstable(double speed) const;
   template <class Work>

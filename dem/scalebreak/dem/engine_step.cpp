@@ -6,6 +6,7 @@
 #include <scalebreak/base/error.hpp>
 #include <scalebreak/dem/engine.hpp>
 #include <scalebreak/dem/list_keeper.hpp>
+#include <scalebreak/dem/team_barrier.hpp>
 
 namespace scalebreak {
 
@@ -36,50 +37,53 @@ void Dem::Engine::rethrow() {
 
 void Dem::Engine::advance(long steps) {
   failed_ = false;
-#pragma omp parallel num_threads(static_cast <int>(workers_.size()))
+  const int threads = static_cast<int>(workers_.size());
+  TeamBarrier all(threads);
+  int granted = 0;
+#pragma omp parallel num_threads(threads)
   {
+#pragma omp single
+    granted = omp_get_num_threads();
     Worker& worker = workers_[static_cast<std::size_t>(omp_get_thread_num())];
-    for (long step = 0; step < steps && !failed_; ++step) {
+    for (long step = 0; step < steps && !failed_ && granted == threads; ++step) {
       move(worker);
       if (height_.follows()) map_onto_height(worker);
-#pragma omp barrier
-#pragma omp single
-      guarded(worker, [&] { plan_lists(); });
+      all.wait([&] { guarded(worker, [&] { plan_lists(); }); });
       if (lists_due_) {
         if (grid_due_) guarded(worker, [&] { find_neighbours(worker); });
         if (!grid_due_) bring_up_resting(worker);
-#pragma omp barrier
+        all.wait();
         guarded(worker, [&] { select_pairs(worker); });
         clear_marks(worker);
-#pragma omp barrier
+        all.wait();
         mark_movers(worker);
         collect_pushed(worker);
-#pragma omp barrier
+        all.wait();
         collect_movers(worker);
       }
       guarded(worker, [&] { find_contacts(worker); });
       if (histories_are_ahead() && workers_.size() > 1) {
-#pragma omp barrier
+        all.wait();
         adopt_met(worker);
-#pragma omp barrier
+        all.wait();
       }
       guarded(worker, [&] { add_forces(worker, history_steps()); });
-#pragma omp barrier
+      all.wait();
       fetch_deferred(worker);
-      if (height_.follows()) {
-        sum_normal_flux(worker);
-#pragma omp barrier
-      }
-#pragma omp single
-      {
-        if (lists_due_) lists_due_ = grid_due_ = false, steps_since_lists_ = 0, travel_ = 0;
-        for (const Worker& each : workers_) failed_ = failed_ || each.failure;
-        if (!failed_ && height_.follows()) push_height();
-        if (!failed_) take_tallies();
-      }
+      if (height_.follows()) sum_normal_flux(worker);
+      all.wait([&] { finish_step(); });
     }
   }
+  if (granted != threads)
+    throw WorkError(fmt::format("the system grants {} of {} threads; ask for fewer, or see OMP_THREAD_LIMIT", granted, threads));
   rethrow();
+}
+
+void Dem::Engine::finish_step() {
+  if (lists_due_) lists_due_ = grid_due_ = false, steps_since_lists_ = 0, travel_ = 0;
+  for (const Worker& each : workers_) failed_ = failed_ || each.failure;
+  if (!failed_ && height_.follows()) push_height();
+  if (!failed_) take_tallies();
 }
 
 void Dem::Engine::move(Worker& worker) {

@@ -38,9 +38,8 @@ std::vector<ContactMemory> touching_contacts(const System& system) {
       }
     }
   }
-  std::sort(contacts.begin(), contacts.end(), [](const ContactMemory& a, const ContactMemory& b) {
-    return std::pair(a.first, a.second) < std::pair(b.first, b.second);
-  });
+  std::sort(contacts.begin(), contacts.end(),
+            [](const ContactMemory& a, const ContactMemory& b) { return std::pair(a.first, a.second) < std::pair(b.first, b.second); });
   return contacts;
 }
 
