@@ -223,12 +223,14 @@ void Dem::Engine::add_forces(Worker& worker, HistorySteps histories) {
 void Dem::Engine::fetch_deferred(Worker& worker) {
   const auto add = [](Quad& to, const Quad& from) { to = {to.x + from.x, to.y + from.y, to.z + from.z, 0}; };
   for (const Worker& other : workers_) {
+    if (&other == &worker) continue;
     for (std::uint32_t k = 0; k < other.deferred_count; ++k) {
       const Deferred& deferred = other.deferred[k];
-      if (deferred.sphere - worker.begin >= worker.end - worker.begin) continue;
-      add(spheres_.force[deferred.sphere], deferred.force);
-      if (turns_) add(spheres_.torque[deferred.sphere], deferred.torque);
-      push(worker, deferred.sphere);
+      const std::uint32_t sphere = deferred.sphere();
+      if (sphere - worker.begin >= worker.end - worker.begin) continue;
+      add(spheres_.force[sphere], deferred.force);
+      if (turns_) add(spheres_.torque[sphere], deferred.torque);
+      push(worker, sphere);
     }
   }
 }

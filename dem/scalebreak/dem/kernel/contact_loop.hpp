@@ -147,7 +147,7 @@ struct ContactLoop {
   void defer(std::uint32_t sphere, Four force, Four torque) {
     if (task.deferred_count == task.deferred_room) task.keeper->make_room(task);
     Deferred& deferred = task.deferred[task.deferred_count++];
-    deferred.sphere = sphere;
+    torque[3] = sphere;
     store(deferred.force, force);
     store(deferred.torque, torque);
   }

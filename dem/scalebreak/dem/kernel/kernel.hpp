@@ -75,9 +75,10 @@ struct SpheresView {
 };
 
 /// What a force on a sphere of another thread is kept as until all have come to it.
-struct Deferred {
-  std::uint32_t sphere;
-  Quad force, torque;
+struct alignas(64) Deferred {
+  Quad force, torque;  ///< torque.w: the sphere's number, so that all of it is one cache line, as the other thread fetches it
+
+  [[nodiscard]] std::uint32_t sphere() const { return static_cast<std::uint32_t>(torque.w); }
 };
 
 /// What one thread counts and sums over a step.
