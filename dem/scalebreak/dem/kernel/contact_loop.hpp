@@ -18,7 +18,7 @@ struct ContactLoop {
     const double solids_before = task.tally.touches;
     ContactLanes block[block_size];
     for (std::uint32_t k = 0; k < task.contacts.count;) {
-      if (task.spheres.far) fetch_ahead(k + block_size * width);
+      if (task.spheres.far) fetch_ahead(k + 2 * block_size * width);
       std::uint32_t filled = 0;
       for (; filled < block_size && k < task.contacts.count; k += width) {
         ContactLanes& at = block[filled];

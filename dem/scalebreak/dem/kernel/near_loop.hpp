@@ -1,7 +1,7 @@
 // Included once per instruction set, inside that set's namespace (see kernel_*.cpp): which of the near pairs touch.
 
 /// So many pairs ahead spheres are asked for.
-inline constexpr std::uint32_t ahead = 32;
+inline constexpr std::uint32_t ahead = 128;
 
 inline void meet_spheres(ForceTask& task) {
   const NearView near = task.near;
