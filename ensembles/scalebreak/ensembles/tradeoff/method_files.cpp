@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <scalebreak/ensembles/breakdown/study_quantities.hpp>
-#include <scalebreak/ensembles/breakdown/verdicts.hpp>
 #include <scalebreak/ensembles/tradeoff/tradeoff_files.hpp>
 #include <scalebreak/output/atomic_file.hpp>
 #include <scalebreak/output/csv.hpp>
@@ -23,6 +22,12 @@ CsvCell filled(const std::string& text) { return text.empty() ? CsvCell() : CsvC
 
 /// Columns of csv_of that plots take, from 1.
 constexpr const char *error_column = "10", *bar_columns = "12:13", *work_column = "18", *time_column = "19";
+
+/// Root mean square about the mean flow [m/s]; of a bed what is left of its motion.
+double fluctuation_speed(const CellResult& result) {
+  const Quantity* temperature = result.quantity("temperature");
+  return temperature ? std::sqrt(3 * temperature->measured.value) : std::nan("");
+}
 
 Csv csv_of(const MethodTradeoff& study, std::uint64_t seed) {
   std::vector<std::string> header = {"series",
@@ -54,8 +59,8 @@ Csv csv_of(const MethodTradeoff& study, std::uint64_t seed) {
                                      "run_wall_time [s]",
                                      "run_processor_time [s]",
                                      "patch_fraction [-]"};
-  for (const std::string& name : judged_quantities()) header.push_back(name + " [-]"), header.push_back(name + "_error [-]");
-  header.insert(header.end(), {"failure", "version"});
+  for (const std::string& name : study.quantities) header.push_back(name + " [-]"), header.push_back(name + "_error [-]");
+  header.insert(header.end(), {"fluctuation_speed [m/s]", "failure", "version"});
   Csv csv(header);
   for (const WayPoint& p : study.points) {
     const CellResult& r = p.result;
@@ -88,12 +93,12 @@ Csv csv_of(const MethodTradeoff& study, std::uint64_t seed) {
                                 r.wall_seconds,
                                 filled(r.processor_seconds),
                                 r.patch_fraction ? CsvCell(*r.patch_fraction) : CsvCell()};
-    for (const std::string& name : judged_quantities()) {
+    for (const std::string& name : study.quantities) {
       const auto c = std::find_if(p.deviations.begin(), p.deviations.end(), [&](const Comparison& each) { return each.name == name; });
       const bool there = c != p.deviations.end();
       row.push_back(there ? filled(c->relative.value) : CsvCell()), row.push_back(there ? filled(c->relative.error) : CsvCell());
     }
-    row.push_back(filled(p.failure)), row.push_back(filled(r.version));
+    row.push_back(filled(fluctuation_speed(r))), row.push_back(filled(p.failure)), row.push_back(filled(r.version));
     csv.add(row);
   }
   return csv;

@@ -15,6 +15,9 @@ constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 /// Relative to a value that is not known to this share, a deviation says nothing: a shear stress without shear.
 constexpr double well_known = 0.1;
 
+/// Nothing collides, moves or is sheared in a bed at rest.
+std::vector<std::string> of_beds() { return {"bed_volume_fraction", "coordination", "pressure"}; }
+
 /// The mean of independent values, weighted by their errors. One without an error counts where it is alone.
 Measured weighted_mean(const std::vector<Measured>& values) {
   if (values.size() == 1) return values.front();
@@ -27,11 +30,11 @@ Measured weighted_mean(const std::vector<Measured>& values) {
 }
 
 /// Quantities of the reference's parts together, without one of them.
-std::vector<Quantity> reference_of(const std::vector<WayPoint>& points, const WayPoint* without) {
+std::vector<Quantity> reference_of(const MethodTradeoff& study, const WayPoint* without) {
   std::vector<Quantity> reference;
-  for (const std::string& name : judged_quantities()) {
+  for (const std::string& name : study.quantities) {
     std::vector<Measured> values;
-    for (const WayPoint& point : points) {
+    for (const WayPoint& point : study.points) {
       const Quantity* quantity = point.in_reference && &point != without ? point.result.quantity(name) : nullptr;
       if (quantity) values.push_back(quantity->measured);
     }
@@ -118,7 +121,7 @@ double spheres_of(const std::vector<WayPoint>& points) {
 }  // namespace
 
 MethodTradeoff method_tradeoff(const MethodGrid& grid, const std::vector<CellResult>& results) {
-  MethodTradeoff study{.points = {}, .resolution = 0, .skipped = grid.skipped};
+  MethodTradeoff study{.points = {}, .quantities = grid.bed ? of_beds() : judged_quantities(), .resolution = 0, .skipped = grid.skipped};
   for (const FlowWay& way : grid.ways) {
     WayPoint point{.way = way, .result = way.cell ? results[*way.cell] : CellResult{}, .failure = way.refusal};
     if (way.cell && point.result.failed())
@@ -130,7 +133,7 @@ MethodTradeoff method_tradeoff(const MethodGrid& grid, const std::vector<CellRes
   for (WayPoint& point : study.points) {
     if (point.failure.empty()) {
       put_cost(point, spheres_of(study.points));
-      compare_with(point, reference_of(study.points, point.in_reference ? &point : nullptr));
+      compare_with(point, reference_of(study, point.in_reference ? &point : nullptr));
     }
     if (point.worst.empty()) point.error = nothing;
   }

@@ -31,7 +31,8 @@ struct WayPoint {
 /// Error against cost of all ways to a flow's answer.
 struct MethodTradeoff {
   std::vector<WayPoint> points;
-  double resolution = 0;  ///< errors below it are not told apart, relative
+  std::vector<std::string> quantities;  ///< that are compared: judged_quantities; of a bed its volume fraction, coordination and pressure
+  double resolution = 0;                ///< errors below it are not told apart, relative
   int skipped = 0;
   bool complete = true;  ///< false: it was interrupted
 };
