@@ -14,9 +14,10 @@ sweep() {
 }
 box=data/failures/heating.toml
 laws='study.laws=["none","rps","sup","overlap_kept","force_cubed","sakai","chen_elliott","thakur"]'
+linear='study.laws=["none","rps","sup","overlap_kept","force_cubed","sakai","thakur"]'
 factors='study.factors=[0.1,0.01,2,4]'
 sweep laws_hertz 0 $box --set run.replicas=2 --set "$laws" --set "$factors"
-sweep laws_linear 0 $box --set run.replicas=2 --set "$laws" --set "$factors" --set contact.normal=linear --set material.spring_constant=650
+sweep laws_linear 0 $box --set run.replicas=2 --set "$linear" --set "$factors" --set contact.normal=linear --set material.spring_constant=650
 few='study.laws=["rps"]'
 for speed in 0.01 0.03 0.1 0.3 1; do
   sweep speed $speed $box --set run.replicas=2 --set particles.speed=$speed --set "$few" --set 'study.factors=[0.01]'
@@ -29,14 +30,11 @@ for ratio in 1.01 2 3 4 6; do
   sweep size_ratio $ratio $box --set run.replicas=2 --set particles.size=bidisperse --set particles.large_radius=$large --set particles.large_mass_fraction=0.8 \
     --set "$few" --set 'study.factors=[0.01]'
 done
-both='study.integrators=["verlet","synchronized"]'
-all='study.laws=["none","rps","sup","overlap_kept","force_cubed","sakai","chen_elliott","thakur"]'
-for contact in hertz jkr; do
-  for speed in 0.002 0.02 0.2; do
-    sweep collision_$contact $speed data/scenes/glass_pair.toml --set contact.normal=$contact --set impact.normal_speed=$speed --set "$both" \
-      --set "$all" --set 'study.factors=[0.01,2]'
-  done
+pair="data/scenes/glass_pair.toml --set study.integrators=[\"verlet\",\"synchronized\"] --set study.factors=[0.01,2]"
+bare="--set material.surface_energy=0 --set contact.adhesion_range=touch --set contact.damping_on=overlap"
+for speed in 0.005 0.02 0.2; do
+  sweep collision_jkr $speed $pair --set "$laws" --set impact.normal_speed=$speed
+  sweep collision_hertz $speed $pair --set "$laws" --set impact.normal_speed=$speed --set contact.normal=hertz $bare
 done
-sweep collision_linear 0.02 data/scenes/glass_pair.toml --set contact.normal=linear --set material.spring_constant=1e5 --set material.surface_energy=0 \
-  --set impact.normal_speed=0.02 --set "$both" --set "$all" --set 'study.factors=[0.01,2]'
+sweep collision_linear 0.02 $pair --set "$linear" --set contact.normal=linear --set material.spring_constant=1e5 --set impact.normal_speed=0.02 $bare
 rm -r "$dir"
