@@ -175,6 +175,8 @@ TEST(MethodTradeoff, ComparesWithTheMostAccurateAndGivesCostsOfTheSameStatistics
   EXPECT_TRUE(rps.on_work_front && hybrid.on_work_front);
   EXPECT_FALSE(coarse.on_work_front || fine.on_work_front || emptied.on_work_front);
   EXPECT_THAT(sentences(study), testing::Contains(HasSubstr("cheaper and less accurate: rps 0.1 (dem)")));
+  EXPECT_EQ(sentences(study).back(),
+            "What to choose, by processor time: where no error may be told, hybrid (10 s); where one of 30 % may be, rps 0.1 (dem) (5 s)");
 }
 
 const std::string small_bed = R"(
@@ -218,6 +220,19 @@ TEST(MethodTradeoff, TellsBedsApartByHowTheyArePacked) {
   EXPECT_EQ(study.points[1].worst, "bed_volume_fraction");
   EXPECT_NEAR(study.points[1].error, 0.05, 1e-12);
   for (const Comparison& c : study.points[1].deviations) EXPECT_NE(c.name, "temperature");
+}
+
+/// A small deviation that is known well is an error; a larger one that is not is none.
+TEST(MethodTradeoff, TellsAWayByWhatIsBeyondItsError) {
+  const MethodGrid grid = method_grid(resolved(small_bed));
+  std::vector<CellResult> results = {known(1e-12, 0, 100), known(5e-12, 0, 10)};
+  for (CellResult& result : results) result.quantities.push_back({"bed_volume_fraction", "-", {0.6, 0.0006}});
+  results[1].quantities.back().measured.value = 0.588;
+  results[1].quantities[2].measured = {1.03, 0.05};  // pressure
+  const WayPoint way = method_tradeoff(grid, results).points[1];
+  EXPECT_TRUE(way.told);
+  EXPECT_EQ(way.worst, "bed_volume_fraction");
+  EXPECT_NEAR(way.error, 0.02, 1e-12);
 }
 
 /// Layers of this volume fraction, from the floor of a box of 20 slabs.

@@ -21,9 +21,9 @@ std::span<const StabilityCriterion> stability_criteria(bool flow) {
        "Error of a collision over the step", "largest error over the speed [-]", [](const StepTrial& trial) { return trial.motion_error; },
        &Input::study_motion_error},
       {"rolling_left", "-",
-       "largest rolling speed of bodies that should not roll on each other any more, over the speed at the start, whenever in a step it begins",
-       "Rolling that is left over the step", "rolling speed over the speed at the start [-]",
-       [](const StepTrial& trial) { return trial.rolling_left; }, &Input::study_motion_error, true}};
+       "largest rolling speed of bodies that should not roll on each other any more, over its speed, whenever in a step it begins",
+       "Rolling that is left over the step", "rolling speed over the speed [-]", [](const StepTrial& trial) { return trial.rolling_left; },
+       &Input::study_motion_error, true}};
   return flow ? std::span<const StabilityCriterion>(of_flows) : std::span<const StabilityCriterion>(of_collisions);
 }
 

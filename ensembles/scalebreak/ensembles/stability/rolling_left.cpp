@@ -17,14 +17,6 @@ double rolling_speed(const MovingBody& a, const MovingBody& b, const Eigen::Vect
   return (spin - spin.dot(branch) / branch.squaredNorm() * branch).norm() / curvature;
 }
 
-double speed_at_start(const CollisionScene& scene) {
-  double fastest = scene.speed;
-  for (const MovingBody& body : scene.moving.bodies) {
-    if (!body.plane) fastest = std::max(fastest, body.radius * body.spin.norm());
-  }
-  return fastest;
-}
-
 Eigen::Vector3d branch_of(const MovingBody& a, const MovingBody& b) {
   return a.plane || b.plane ? Eigen::Vector3d::UnitZ() : Eigen::Vector3d(b.position - a.position);
 }
@@ -60,7 +52,7 @@ bool comes_to_rest(const CollisionScene& scene, double share) {
     for (std::size_t j = i + 1; j < end.size(); ++j) {
       if (!touch(end[i], end[j])) continue;
       touches = true;
-      if (rolling_speed(end[i], end[j], branch_of(end[i], end[j]), end[i].spin - end[j].spin) > share * speed_at_start(scene)) return false;
+      if (rolling_speed(end[i], end[j], branch_of(end[i], end[j]), end[i].spin - end[j].spin) > share * scene.speed) return false;
     }
   }
   return touches;
@@ -79,7 +71,7 @@ double rolling_left(const CollisionScene& scene, Integrator integrator, double s
       largest = std::max(largest, rolling_speed(scene, dem));
     }
   }
-  return largest / speed_at_start(scene);
+  return largest / scene.speed;
 }
 
 }  // namespace scalebreak

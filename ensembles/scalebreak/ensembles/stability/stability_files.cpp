@@ -107,8 +107,7 @@ std::string introduction(const Input& input, const StabilityStudy& study) {
         "speed, at {} points of a step at which it begins, and all part that should{}. It is bisected to 2 %.",
         study.speed, input.study_motion_error, input.tradeoff.phases,
         study.criteria.size() > 1
-            ? "; by rolling_left, while bodies that have stopped rolling on each other roll at no more than the same share of "
-              "the speed at the start"
+            ? "; by rolling_left, while bodies that have stopped rolling on each other roll at no more than the same share of it"
             : "");
   return fmt::format(
       "{} spheres that move at {:g} m/s (root mean square) at the start, made elastic: no dissipation, adhesion, friction, shear or gravity. "

@@ -165,13 +165,9 @@ void add_points(HtmlReport& report, const MethodTradeoff& study) {
                     : p.told       ? ""
                                    : "not told from 0",
                     fmt::format("{}", p.result.replicas), fmt::format("{:.0f}", p.result.particles), number_text(p.work),
-                    number_text(p.seconds), number_text(p.result.work.evaluations), number_text(p.result.work.lookups),
-                    number_text(p.result.work.sphere_steps),
-                    fmt::format("{}{}", p.on_work_front ? "work " : "", p.on_time_front ? "time" : "")});
+                    number_text(p.seconds), fmt::format("{}{}", p.on_work_front ? "work " : "", p.on_time_front ? "time" : "")});
   }
-  report.table({"way", "off most", "", "runs", "spheres", "work", "processor time [s]", "evaluations of a run", "lookups of a run",
-                "sphere steps of a run", "on the front of"},
-               rows);
+  report.table({"way", "off most", "", "runs", "spheres", "work", "processor time [s]", "on the front of"}, rows);
 }
 
 }  // namespace
@@ -194,6 +190,9 @@ std::vector<std::string> write_tradeoff(const MethodTradeoff& study, std::uint64
     if (!draw(plot, out)) missing.push_back(plot.name);
     report.figure(out / (plot.name + ".svg"), plot.title + ", " + equal + ", with standard errors.");
   }
+  report.paragraph(
+      "How to read it: a mark is a way, with the standard error of its error; the lower and the further to the left, the better. The black line is the "
+      "front, what no other way beats in both; below the grey line errors are not told apart, and the cheapest way alone is on the front.");
   add_points(report, study);
   report.paragraph("All numbers are in tradeoff.csv, a row a way.");
   write_file(out / "index.html", report.text());

@@ -65,10 +65,11 @@ void compare_with(WayPoint& point, const std::vector<Quantity>& reference) {
     point.deviations.push_back(compare({first.name, first.unit, {claim * first.measured.value, claim * first.measured.error}}, *quantity));
     const Comparison& c = point.deviations.back();
     const double off = std::abs(c.relative.value);
-    if (!(c.first.error <= well_known * std::abs(c.first.value)) || !std::isfinite(c.relative.error) || off < point.error) continue;
-    point.error = off, point.error_error = c.relative.error, point.worst = c.name;
+    if (!(c.first.error <= well_known * std::abs(c.first.value)) || !std::isfinite(c.relative.error)) continue;
+    const bool told = off > told_beyond * c.relative.error;  // one that is told counts before a larger one that is not
+    if (!point.worst.empty() && (told == point.told ? off < point.error : point.told)) continue;
+    point.error = off, point.error_error = c.relative.error, point.worst = c.name, point.told = told;
   }
-  point.told = point.error > told_beyond * point.error_error;
 }
 
 /// Median of the errors that a deviation must exceed to be told.
