@@ -14,6 +14,8 @@ namespace {
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 /// Relative to a value that is not known to this share, a deviation says nothing: a shear stress without shear.
 constexpr double well_known = 0.1;
+/// What is known better than this is a number of the scene, as the volume fraction of a closed cell, and no result.
+constexpr double given = 1e-9;
 
 /// Nothing collides, moves or is sheared in a bed at rest.
 std::vector<std::string> of_beds() { return {"bed_volume_fraction", "coordination", "pressure"}; }
@@ -66,6 +68,7 @@ void compare_with(WayPoint& point, const std::vector<Quantity>& reference) {
     const Comparison& c = point.deviations.back();
     const double off = std::abs(c.relative.value);
     if (!(c.first.error <= well_known * std::abs(c.first.value)) || !std::isfinite(c.relative.error)) continue;
+    if (c.relative.error < given) continue;
     const bool told = off > told_beyond * c.relative.error;  // one that is told counts before a larger one that is not
     if (!point.worst.empty() && (told == point.told ? off < point.error : point.told)) continue;
     point.error = off, point.error_error = c.relative.error, point.worst = c.name, point.told = told;
