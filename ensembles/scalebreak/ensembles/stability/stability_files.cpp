@@ -24,7 +24,10 @@ Measured ratio(const StabilityStudy& study, const StabilityRecord& record) {
   return {value, value * std::hypot(step.error / step.value, original.error / original.value)};
 }
 
-double steps_per_contact(const StabilityRecord& record) { return record.contact.time / record.step().value; }
+/// NaN of a contact that does not end.
+double steps_per_contact(const StabilityRecord& record) {
+  return record.contact.time > 0 ? record.contact.time / record.step().value : std::nan("");
+}
 
 std::string method_of(const StabilityRecord& record) { return fmt::format("{}, {}", record.law, record.integrator); }
 
@@ -182,9 +185,9 @@ std::string in_words(const StabilityStudy& study, const StabilityRecord& r) {
     return text + fmt::format("no bracket: {}", r.seeds.front().stable ? "stable at every step tried" : "unstable at every step tried");
   text += fmt::format("{:.4g} ± {:.1g} s, {:.3f} of Rayleigh's {:.4g} s", step.value, step.error, fraction.value, r.rayleigh);
   if (r.oscillation > 0) text += fmt::format(", {:.3f} of the oscillation's {:.4g} s", step.value / r.oscillation, r.oscillation);
-  return text + fmt::format(", {:.1f} steps per contact; {:.3f} ± {:.3f} of the original's; {} {:.2g} below, {:.2g} above; {}",
-                            steps_per_contact(r), over_original.value, over_original.error, r.criterion, r.value_below(), r.value_above(),
-                            r.failure());
+  if (r.contact.time > 0) text += fmt::format(", {:.1f} steps per contact", steps_per_contact(r));
+  return text + fmt::format("; {:.3f} ± {:.3f} of the original's; {} {:.2g} below, {:.2g} above; {}", over_original.value,
+                            over_original.error, r.criterion, r.value_below(), r.value_above(), r.failure());
 }
 
 std::vector<std::string> write_stability_report(const Input& input, const StabilityStudy& study, const std::filesystem::path& out) {
@@ -199,19 +202,21 @@ std::vector<std::string> write_stability_report(const Input& input, const Stabil
   HtmlReport report("The largest stable step", introduction(input, study));
   report.figure(out / "largest_step.svg",
                 "Bars: half the bracket of the bisection, or the standard error over seeds, whichever is larger.");
-  for (const StabilityCriterion& criterion : study.criteria)
-    report.figure(out / (std::string(criterion.name) + ".svg"), study.flow ? "Every trial that went on to its end and whose energy grew."
-                                                                           : "Every trial in which all parted that should.");
+  for (const StabilityCriterion& criterion : study.criteria) {
+    const char* trials = criterion.at_rest ? "Every trial." : "Every trial in which all parted that should.";
+    report.figure(out / (std::string(criterion.name) + ".svg"),
+                  study.flow ? "Every trial that went on to its end and whose energy grew." : trials);
+  }
   report.paragraph(
-      "How to read it: a step over Rayleigh's below 1 is what a rule of thumb of one Rayleigh time would overstep; steps per contact say whether a "
-      "shorter contact is the reason. A law whose step over the original's is its factor's claim makes a step that many times as large, and the "
-      "rule may follow it. What to choose: a step of half of the smallest in the table at most, and run.step_bounds, which keeps thirty steps a "
-      "contact.");
+      "How to read it: a step over Rayleigh's below 1 is one that the Rayleigh time alone would overstep; steps per contact say whether a shorter contact is "
+      "the reason; over the original's is how many times larger a step the law buys. What to choose: half of the smallest step in the table at most, and "
+      "run.step_bounds, which keeps thirty steps a contact.");
   std::vector<std::vector<std::string>> rows;
   for (const StabilityRecord& r : study.records)
     rows.push_back({r.law, fmt::format("{:g}", r.factor), r.integrator, r.criterion,
                     fmt::format("{:.4g} ± {:.1g}", r.step().value, r.step().error), fmt::format("{:.3f}", r.fraction().value),
-                    fmt::format("{:.1f}", steps_per_contact(r)), fmt::format("{:.3f}", ratio(study, r).value), r.failure()});
+                    std::isfinite(steps_per_contact(r)) ? fmt::format("{:.1f}", steps_per_contact(r)) : std::string("-"),
+                    fmt::format("{:.3f}", ratio(study, r).value), r.failure()});
   report.table({"law", "factor", "integrator", "by", "largest stable step [s]", "over Rayleigh's", "steps per contact",
                 "over the original's", "beyond it"},
                rows);
