@@ -13,9 +13,9 @@ std::string estimate(const Input& input) {
   // A bisection tries about ten steps.
   if (!input.flow)
     return fmt::format("{} bisections of about ten steps, {} collisions each, below 1 s each",
-                       stability_inputs(input).size() * stability_criteria(false).size() * input.study_integrators.size(),
+                       stability_inputs(input).size() * stability_criteria(input).size() * input.study_integrators.size(),
                        input.tradeoff.phases);
-  const double bisections = static_cast<double>(stability_inputs(input).size() * stability_criteria(true).size() *
+  const double bisections = static_cast<double>(stability_inputs(input).size() * stability_criteria(input).size() *
                                                 input.study_integrators.size() * input.run.replicas);
   return fmt::format("{:.0f} bisections of about ten trials each, {:g} collisions of each sphere a trial", bisections,
                      collisions_of_a_trial);

@@ -70,5 +70,29 @@ TEST_F(StabilityCommand, FindsTheStepAtWhichACollisionIsOff) {
   EXPECT_TRUE(std::filesystem::exists(out + "/motion_error.gp"));
 }
 
+TEST_F(StabilityCommand, FindsTheStepThatLeavesRollingBehind) {
+  const ProgramRun result = run({"stability", "data/failures/rolling_chatter.toml", "--json", "--quiet", "--set", "study.phases=2", "--set",
+                                 "study.laws=[\"rps\"]", "--set", "study.factors=[0.01]", "--set", "study.motion_error=4e-3", "--set",
+                                 "study.integrators=[\"synchronized\"]"});
+  ASSERT_EQ(result.status, 0) << result.err;
+  const json j = result.json();
+  EXPECT_EQ(j["criteria"][1]["name"], "rolling_left");
+  ASSERT_EQ(j["records"].size(), 4u);
+  for (const json& record : j["records"]) {
+    EXPECT_LE(record["value_below"].get<double>(), 4e-3) << record["criterion"];
+    EXPECT_GT(record["value_above"].get<double>(), 4e-3) << record["criterion"];
+  }
+}
+
+TEST_F(StabilityCommand, AsksForRollingOnlyWhereItEnds) {
+  const json j = run({"stability",
+                      scene("pair.toml",
+                            "[material]\nsurface_energy = 0\n[contact]\nnormal = \"hertz\"\nrolling = \"cdt\"\n"
+                            "[study]\nlaws = [\"sup\"]\nfactors = [4]\n"),
+                      "--json", "--quiet"})
+                     .json();
+  EXPECT_EQ(j["criteria"].size(), 1u);
+}
+
 }  // namespace
 }  // namespace scalebreak::tests

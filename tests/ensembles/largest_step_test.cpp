@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <scalebreak/ensembles/stability/elastic_scene.hpp>
+#include <scalebreak/ensembles/stability/rolling_left.hpp>
 #include <scalebreak/ensembles/stability/stability_files.hpp>
 #include <scalebreak/ensembles/stability/stability_study.hpp>
 
@@ -102,6 +103,49 @@ TEST(StabilityStudy, SaysHowAFlowFailsThatDoesNotReachTheCriterion) {
 TEST(StabilityStudy, IsRefusedWithoutMotion) {
   EXPECT_EQ(message_of<InputError>([] { (void)run_stability(resolved(small_box, {"particles.speed=0"}), 1); }),
             "particles.speed: found 0, and a step is tried on collisions; allowed: above 0");
+}
+
+/// Two spheres, one of which spins, that stick and by a rolling law come to turn as one.
+Input sticking_pair(const std::string& rolling) {
+  return resolved(R"(
+[material]
+name = "glass"
+rolling_friction = 0.1
+[contact]
+normal = "jkr"
+tangential = "mindlin"
+[run]
+duration = 2e-3
+[[body]]
+position = [0, 0, 0.5e-3]
+velocity = [0, 0, -0.001]
+spin = [0, 20, 0]
+radius = 0.5e-3
+[[body]]
+position = [0, 0, -0.5e-3]
+radius = 0.5e-3
+)",
+                  {"contact.rolling=" + rolling});
+}
+
+/// A torque that changes its sign with the spin cannot stop it by steps: what is left is of the order of what a step's torque takes. What a spring leaves
+/// is its own swinging.
+TEST(RollingLeft, FallsWithTheStepUnderCdtAndNotUnderASpring) {
+  const CollisionScene rigid = collision_scene(sticking_pair("cdt")), sprung = collision_scene(sticking_pair("epsd"));
+  const double coarse = rolling_left(rigid, Integrator::synchronized, 0.4, 4),
+               fine = rolling_left(rigid, Integrator::synchronized, 0.05, 4);
+  EXPECT_GT(fine, 1e-5);
+  EXPECT_LT(coarse, 1e-2);
+  EXPECT_GT(coarse / fine, 2);
+  EXPECT_LT(coarse / fine, 32);
+  const double swinging = rolling_left(sprung, Integrator::synchronized, 0.4, 4);
+  EXPECT_NEAR(rolling_left(sprung, Integrator::synchronized, 0.1, 4) / swinging, 1, 0.05);
+}
+
+TEST(RollingLeft, IsAskedForWhereRollingEnds) {
+  EXPECT_TRUE(comes_to_rest(collision_scene(sticking_pair("cdt")), 1e-3));
+  EXPECT_FALSE(comes_to_rest(collision_scene(sticking_pair("none")), 1e-3));
+  EXPECT_FALSE(comes_to_rest(collision_scene(sticking_pair("epsd")), 1e-3));  // its spring still swings
 }
 
 }  // namespace

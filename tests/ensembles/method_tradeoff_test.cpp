@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include <scalebreak/ensembles/breakdown/study_quantities.hpp>
 #include <scalebreak/ensembles/run/flow_run.hpp>
 #include <scalebreak/ensembles/tradeoff/method_tradeoff.hpp>
 #include <scalebreak/ensembles/tradeoff/tradeoff_files.hpp>
@@ -174,6 +175,86 @@ TEST(MethodTradeoff, ComparesWithTheMostAccurateAndGivesCostsOfTheSameStatistics
   EXPECT_TRUE(rps.on_work_front && hybrid.on_work_front);
   EXPECT_FALSE(coarse.on_work_front || fine.on_work_front || emptied.on_work_front);
   EXPECT_THAT(sentences(study), testing::Contains(HasSubstr("cheaper and less accurate: rps 0.1 (dem)")));
+  EXPECT_EQ(sentences(study).back(),
+            "What to choose, by processor time: where no error may be told, hybrid (10 s); where one of 30 % may be, rps 0.1 (dem) (5 s)");
+}
+
+const std::string small_bed = R"(
+[material]
+young = 1e7
+surface_energy = 0
+[contact]
+normal = "hertz"
+[particles]
+count = 64
+volume_fraction = 0
+[cell]
+kind = "box"
+size = [0.004, 0.004, 0.008]
+boundary = ["periodic", "periodic", "wall"]
+gravity = [0, 0, -9.81]
+[run]
+duration = 0.01
+[study]
+laws = ["sup"]
+factors = [2]
+step_fractions = [0.15]
+engines = ["dem"]
+)";
+
+TEST(MethodGrid, OfABedLeavesTheDepthOfTheBedAlone) {
+  const MethodGrid bed = method_grid(resolved(small_bed));
+  EXPECT_TRUE(bed.bed);
+  EXPECT_THAT(names_of(bed), ElementsAre("dem at a step of 0.15", "sup 2 keeping cell (dem)"));
+  EXPECT_FALSE(method_grid(resolved(small_methods)).bed);
+  EXPECT_FALSE(method_grid(resolved(small_bed, {"cell.gravity=[0, 0, 0]"})).bed);
+}
+
+/// Spheres at rest have a temperature of rounding, and nothing that collides.
+TEST(MethodTradeoff, TellsBedsApartByHowTheyArePacked) {
+  const MethodGrid grid = method_grid(resolved(small_bed));
+  std::vector<CellResult> results = {known(1e-12, 0, 100), known(5e-12, 0, 10)};
+  for (CellResult& result : results) result.quantities.push_back({"bed_volume_fraction", "-", {0.6, 0.001}});
+  results[1].quantities.back().measured.value = 0.57;
+  const MethodTradeoff study = method_tradeoff(grid, results);
+  EXPECT_EQ(study.points[1].worst, "bed_volume_fraction");
+  EXPECT_NEAR(study.points[1].error, 0.05, 1e-12);
+  for (const Comparison& c : study.points[1].deviations) EXPECT_NE(c.name, "temperature");
+}
+
+/// A small deviation that is known well is an error; a larger one that is not is none.
+TEST(MethodTradeoff, TellsAWayByWhatIsBeyondItsError) {
+  const MethodGrid grid = method_grid(resolved(small_bed));
+  std::vector<CellResult> results = {known(1e-12, 0, 100), known(5e-12, 0, 10)};
+  for (CellResult& result : results) result.quantities.push_back({"bed_volume_fraction", "-", {0.6, 0.0006}});
+  results[1].quantities.back().measured.value = 0.588;
+  results[1].quantities[2].measured = {1.03, 0.05};  // pressure
+  const WayPoint way = method_tradeoff(grid, results).points[1];
+  EXPECT_TRUE(way.told);
+  EXPECT_EQ(way.worst, "bed_volume_fraction");
+  EXPECT_NEAR(way.error, 0.02, 1e-12);
+}
+
+/// Layers of this volume fraction, from the floor of a box of 20 slabs.
+double bed_of(const std::vector<double>& layers) {
+  FlowResult result;
+  ProfileColumn solids{"volume_fraction", "-", {}};
+  for (std::size_t k = 0; k < 20; ++k) {
+    result.profile.height.push_back((static_cast<double>(k) + 0.5) * 0.4e-3);
+    solids.slabs.push_back({k < layers.size() ? layers[k] : 0, 0});
+  }
+  result.profile.columns = {solids};
+  for (const Quantity& quantity : studied(result, resolved(small_bed))) {
+    if (quantity.name == "bed_volume_fraction") return quantity.measured.value;
+  }
+  return std::nan("");
+}
+
+TEST(StudyQuantities, GiveTheVolumeFractionOfABedWhateverItsDepth) {
+  EXPECT_NEAR(bed_of(std::vector<double>(10, 0.6)), 0.6, 1e-12);
+  EXPECT_NEAR(bed_of(std::vector<double>(5, 0.6)), 0.6, 1e-12);
+  EXPECT_NEAR(bed_of({0.6, 0.6, 0.6, 0.6, 0.6, 0.3, 0.3}), 3.6 * 3.6 / (2 * (0.6 * 12.5 + 0.3 * 12)),
+              1e-12);  // of the height of the centre of mass alone
 }
 
 }  // namespace

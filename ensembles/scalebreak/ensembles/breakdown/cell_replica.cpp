@@ -90,7 +90,7 @@ CellReplica run_replica(const StudyCell& cell, std::uint64_t replica, const Tabl
     }
     const FlowResult measured = run.measurement().result();
     const RunRecord& record = run.record();
-    result.quantities = studied(measured, cell.input.cell.boundary[2] == Boundary::wall);
+    result.quantities = studied(measured, cell.input);
     result.particles = static_cast<double>(record.particles), result.measured_time = measured.duration;
     result.steps = static_cast<double>(record.steps), result.events = static_cast<double>(record.events.value_or(0));
     result.contact_time = record.step.contact.time, result.work = record.work;

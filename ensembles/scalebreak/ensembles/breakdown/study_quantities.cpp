@@ -43,7 +43,24 @@ void add_middle(std::vector<Quantity>& quantities, const FlowProfile& profile) {
   quantities.push_back({"volume_fraction_middle", "", {middle(profile, "volume_fraction", nullptr), nothing}});
 }
 
+/// Of a bed of the same spheres with its centre of mass at the same height, and as dense everywhere. The height is the volume fraction's own mean.
+double bed_volume_fraction(const FlowProfile& profile) {
+  const ProfileColumn* solids = column(profile, "volume_fraction");
+  if (!solids || profile.height.empty()) return nothing;
+  double depth = 0, moment = 0;
+  for (std::size_t s = 0; s < profile.height.size(); ++s) {
+    const double thickness = 2 * profile.height.front(), solid = solids->slabs[s].value * thickness;
+    depth += solid, moment += solid * profile.height[s];
+  }
+  return depth * depth / (2 * moment);
+}
+
 }  // namespace
+
+bool is_bed(const Input& scene) {
+  const CellInput& cell = scene.cell;
+  return cell.gravity.z() < 0 && cell.boundary[2] == Boundary::wall && cell.shear_rate == 0 && cell.wall_speed == 0;
+}
 
 const std::vector<StudyQuantity>& study_quantities() {
   static const std::vector<StudyQuantity> list = {
@@ -59,6 +76,7 @@ const std::vector<StudyQuantity>& study_quantities() {
       {"temperature_middle", "m2/s2", 0, "granular temperature in the middle"},
       {"rotational_energy_middle", "J", 3, "rotational energy in the middle"},
       {"volume_fraction_middle", "-", 0, "volume fraction in the middle"},
+      {"bed_volume_fraction", "-", 0, "volume fraction of the bed"},
   };
   return list;
 }
@@ -70,9 +88,10 @@ const StudyQuantity& study_quantity(const std::string& name) {
   throw WorkError(fmt::format("a study has no quantity {}", name));
 }
 
-std::vector<Quantity> studied(const FlowResult& result, bool walled) {
+std::vector<Quantity> studied(const FlowResult& result, const Input& scene) {
   std::vector<Quantity> all = all_quantities(result);
-  if (walled) add_middle(all, result.profile);
+  if (scene.cell.boundary[2] == Boundary::wall) add_middle(all, result.profile);
+  if (is_bed(scene)) all.push_back({"bed_volume_fraction", "", {bed_volume_fraction(result.profile), nothing}});
   std::vector<Quantity> list;
   for (const StudyQuantity& wanted : study_quantities()) {
     const auto at = std::find_if(all.begin(), all.end(), [&](const Quantity& each) { return each.name == wanted.name; });

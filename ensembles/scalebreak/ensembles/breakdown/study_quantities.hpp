@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <scalebreak/measure/flow_result.hpp>
+#include <scalebreak/scene/input.hpp>
 
 namespace scalebreak {
 
@@ -20,7 +21,10 @@ struct StudyQuantity {
 [[nodiscard]] const std::vector<StudyQuantity>& study_quantities();
 [[nodiscard]] const StudyQuantity& study_quantity(const std::string& name);
 
-/// Those that a flow has, in that order; `walled`: between walls along z.
-[[nodiscard]] std::vector<Quantity> studied(const FlowResult& result, bool walled);
+/// Is it a bed, of spheres that fall onto a floor and that nothing drives?
+[[nodiscard]] bool is_bed(const Input& scene);
+
+/// Those that a flow has, in that order: the means over a gap between walls along z, the volume fraction of a bed in a bed.
+[[nodiscard]] std::vector<Quantity> studied(const FlowResult& result, const Input& scene);
 
 }  // namespace scalebreak

@@ -24,12 +24,17 @@ Measured ratio(const StabilityStudy& study, const StabilityRecord& record) {
   return {value, value * std::hypot(step.error / step.value, original.error / original.value)};
 }
 
-double steps_per_contact(const StabilityRecord& record) { return record.contact.time / record.step().value; }
-
-/// What the trials of a study are told by.
-const StabilityCriterion& of_trials(const StabilityStudy& study) { return stability_criteria(study.flow).front(); }
+/// NaN of a contact that does not end.
+double steps_per_contact(const StabilityRecord& record) {
+  return record.contact.time > 0 ? record.contact.time / record.step().value : std::nan("");
+}
 
 std::string method_of(const StabilityRecord& record) { return fmt::format("{}, {}", record.law, record.integrator); }
+
+/// What a trial was judged by; NaN where it was stopped, or of another criterion.
+double judged_by(const StabilityCriterion& criterion, const StabilityRecord& record, const StepTrial& trial) {
+  return record.criterion != criterion.name || !trial.stopped.empty() ? std::nan("") : criterion.of(trial);
+}
 
 /// The numbers of a record, in the order of stability.csv.
 struct Column {
@@ -57,43 +62,43 @@ constexpr Column columns[] = {
 
 /// Columns of stability.csv and of trials.csv, from 1, that the plots read.
 constexpr const char *factor_column = "2", *step_column = "5", *step_error_column = "6";
-constexpr const char *trial_fraction_column = "6", *trial_growth_column = "8";
+constexpr const char* trial_fraction_column = "6";
+constexpr std::size_t first_trial_value = 8;  ///< a column for each criterion
 
 Plot step_plot(const StabilityStudy& study) {
+  const std::string criterion = study.criteria.front().name;
   Plot plot{"largest_step", "Largest stable step over the factor", "factor [-]", "largest stable step [s]", true, true, {}};
   std::vector<std::string> seen;
   for (const StabilityRecord& record : study.records) {
-    if (std::find(seen.begin(), seen.end(), method_of(record)) != seen.end()) continue;
-    seen.push_back(method_of(record));
+    const std::string name = method_of(record) + (record.criterion == criterion ? "" : ", " + record.criterion);
+    if (std::find(seen.begin(), seen.end(), name) != seen.end()) continue;
+    seen.push_back(name);
     plot.curves.push_back({.file = "stability.csv",
                            .x = factor_column,
                            .y = step_column,
-                           .title = method_of(record),
+                           .title = name,
                            .points = true,
                            .style = static_cast<int>(plot.curves.size()),
-                           .only = fmt::format("strcol(1) eq '{}' && strcol(3) eq '{}'", record.law, record.integrator),
+                           .only = fmt::format("strcol(1) eq '{}' && strcol(3) eq '{}' && strcol(4) eq '{}'", record.law, record.integrator,
+                                               record.criterion),
                            .error = step_error_column});
   }
   return plot;
 }
 
-Plot trial_plot(const StabilityStudy& study) {
-  Plot plot{of_trials(study).name,
-            study.flow ? "Growth of energy over the step" : "Error of a collision over the step",
-            "step / Rayleigh time [-]",
-            study.flow ? "growth per collision of each sphere [-]" : "largest error over the speed [-]",
-            true,
-            true,
-            {}};
+Plot trial_plot(const StabilityStudy& study, std::size_t which) {
+  const StabilityCriterion& criterion = study.criteria[which];
+  Plot plot{criterion.name, criterion.plot, "step / Rayleigh time [-]", criterion.axis, true, true, {}};
   for (const StabilityRecord& record : study.records) {
+    if (record.criterion != criterion.name) continue;
     plot.curves.push_back({.file = "trials.csv",
                            .x = trial_fraction_column,
-                           .y = trial_growth_column,
+                           .y = fmt::format("{}", first_trial_value + which),
                            .title = fmt::format("{} at {:g}", method_of(record), record.factor),
                            .points = true,
                            .style = static_cast<int>(plot.curves.size()),
-                           .only = fmt::format("strcol(1) eq '{}' && ${} == {:.17g} && strcol(3) eq '{}'", record.law, factor_column,
-                                               record.factor, record.integrator)});
+                           .only = fmt::format("strcol(1) eq '{}' && ${} == {:.17g} && strcol(3) eq '{}' && strcol(4) eq '{}'", record.law,
+                                               factor_column, record.factor, record.integrator, record.criterion)});
   }
   return plot;
 }
@@ -102,8 +107,11 @@ std::string introduction(const Input& input, const StabilityStudy& study) {
   if (!study.flow)
     return fmt::format(
         "One collision at {:g} m/s. A step counts as stable while no body's velocity or surface speed after it is off by more than {:g} of that "
-        "speed, at {} points of a step at which it begins, and all part that should. It is bisected to 2 %.",
-        study.speed, input.study_motion_error, input.tradeoff.phases);
+        "speed, at {} points of a step at which it begins, and all part that should{}. It is bisected to 2 %.",
+        study.speed, input.study_motion_error, input.tradeoff.phases,
+        study.criteria.size() > 1
+            ? "; by rolling_left, while bodies that have stopped rolling on each other roll at no more than the same share of it"
+            : "");
   return fmt::format(
       "{} spheres that move at {:g} m/s (root mean square) at the start, made elastic: no dissipation, adhesion, friction, shear or gravity. "
       "A step counts as stable while the energy grows by at most {:g} per collision of each sphere, over {:g} collisions of each. It is "
@@ -128,13 +136,17 @@ std::string stability_csv(const StabilityStudy& study) {
 }
 
 std::string trials_csv(const StabilityStudy& study) {
-  Csv csv({"law", "factor [-]", "integrator", "criterion", "seed", "fraction_of_rayleigh [-]", "step [s]",
-           fmt::format("{} [-]", of_trials(study).name), "collisions [-]", "stopped"});
+  std::vector<std::string> header = {"law", "factor [-]", "integrator", "criterion", "seed", "fraction_of_rayleigh [-]", "step [s]"};
+  for (const StabilityCriterion& criterion : study.criteria) header.push_back(fmt::format("{} [-]", criterion.name));
+  header.insert(header.end(), {"collisions [-]", "stopped"});
+  Csv csv(header);
   for (const StabilityRecord& r : study.records) {
     for (std::size_t seed = 0; seed < r.seeds.size(); ++seed) {
       for (const StepTrial& trial : r.seeds[seed].tried) {
-        csv.add({r.law, r.factor, r.integrator, r.criterion, static_cast<double>(seed), trial.fraction, trial.step,
-                 trial.stopped.empty() ? CsvCell(of_trials(study).of(trial)) : CsvCell(), trial.collisions, trial.stopped});
+        std::vector<CsvCell> row = {r.law, r.factor, r.integrator, r.criterion, static_cast<double>(seed), trial.fraction, trial.step};
+        for (const StabilityCriterion& criterion : study.criteria) row.push_back(known_cell(judged_by(criterion, r, trial)));
+        row.emplace_back(trial.collisions), row.emplace_back(trial.stopped);
+        csv.add(row);
       }
     }
   }
@@ -143,17 +155,19 @@ std::string trials_csv(const StabilityStudy& study) {
 
 json stability_json(const Input& input, const StabilityStudy& study) {
   json criteria = json::array(), records = json::array();
-  for (const StabilityCriterion& criterion : stability_criteria(study.flow))
+  for (const StabilityCriterion& criterion : study.criteria)
     criteria.push_back(
         {{"name", criterion.name}, {"unit", criterion.unit}, {"meaning", criterion.meaning}, {"limit", input.*criterion.limit}});
   for (const StabilityRecord& r : study.records) {
     json trials = json::array();
     for (std::size_t seed = 0; seed < r.seeds.size(); ++seed) {
-      for (const StepTrial& trial : r.seeds[seed].tried)
-        trials.push_back({{"seed", seed},
-                          {"fraction_of_rayleigh", trial.fraction},
-                          {of_trials(study).name, trial.stopped.empty() ? json(of_trials(study).of(trial)) : json()},
-                          {"stopped", trial.stopped}});
+      for (const StepTrial& trial : r.seeds[seed].tried) {
+        trials.push_back({{"seed", seed}, {"fraction_of_rayleigh", trial.fraction}, {"stopped", trial.stopped}});
+        for (const StabilityCriterion& criterion : study.criteria) {
+          if (r.criterion != criterion.name) continue;
+          trials.back()[criterion.name] = known_number(judged_by(criterion, r, trial));
+        }
+      }
     }
     json record = {{"law", r.law}, {"factor", r.factor}, {"integrator", r.integrator}, {"criterion", r.criterion}};
     for (const Column& column : columns) record[column.name] = known_number(column.of(study, r));
@@ -171,14 +185,16 @@ std::string in_words(const StabilityStudy& study, const StabilityRecord& r) {
     return text + fmt::format("no bracket: {}", r.seeds.front().stable ? "stable at every step tried" : "unstable at every step tried");
   text += fmt::format("{:.4g} ± {:.1g} s, {:.3f} of Rayleigh's {:.4g} s", step.value, step.error, fraction.value, r.rayleigh);
   if (r.oscillation > 0) text += fmt::format(", {:.3f} of the oscillation's {:.4g} s", step.value / r.oscillation, r.oscillation);
-  return text + fmt::format(", {:.1f} steps per contact; {:.3f} ± {:.3f} of the original's; growth {:.2g} below, {:.2g} above; {}",
-                            steps_per_contact(r), over_original.value, over_original.error, r.value_below(), r.value_above(), r.failure());
+  if (r.contact.time > 0) text += fmt::format(", {:.1f} steps per contact", steps_per_contact(r));
+  return text + fmt::format("; {:.3f} ± {:.3f} of the original's; {} {:.2g} below, {:.2g} above; {}", over_original.value,
+                            over_original.error, r.criterion, r.value_below(), r.value_above(), r.failure());
 }
 
 std::vector<std::string> write_stability_report(const Input& input, const StabilityStudy& study, const std::filesystem::path& out) {
   write_file(out / "stability.csv", stability_csv(study));
   write_file(out / "trials.csv", trials_csv(study));
-  const std::vector<Plot> plots = {step_plot(study), trial_plot(study)};
+  std::vector<Plot> plots = {step_plot(study)};
+  for (std::size_t which = 0; which < study.criteria.size(); ++which) plots.push_back(trial_plot(study, which));
   std::vector<std::string> missing;
   for (const Plot& plot : plots) {
     if (!draw(plot, out)) missing.push_back(plot.name);
@@ -186,13 +202,24 @@ std::vector<std::string> write_stability_report(const Input& input, const Stabil
   HtmlReport report("The largest stable step", introduction(input, study));
   report.figure(out / "largest_step.svg",
                 "Bars: half the bracket of the bisection, or the standard error over seeds, whichever is larger.");
-  report.figure(out / (plots.back().name + ".svg"),
-                study.flow ? "Every trial that went on to its end and whose energy grew." : "Every trial in which all parted that should.");
+  for (const StabilityCriterion& criterion : study.criteria) {
+    const char* trials = criterion.at_rest ? "Every trial." : "Every trial in which all parted that should.";
+    report.figure(out / (std::string(criterion.name) + ".svg"),
+                  study.flow ? "Every trial that went on to its end and whose energy grew." : trials);
+  }
+  report.paragraph(
+      "How to read it: a step over Rayleigh's below 1 is one that the Rayleigh time alone would overstep; steps per contact say whether a shorter contact is "
+      "the reason; over the original's is how many times larger a step the law buys. What to choose: half of the smallest step in the table at most, and "
+      "run.step_bounds, which keeps thirty steps a contact.");
   std::vector<std::vector<std::string>> rows;
   for (const StabilityRecord& r : study.records)
-    rows.push_back({r.law, fmt::format("{:g}", r.factor), r.integrator, fmt::format("{:.4g} ± {:.1g}", r.step().value, r.step().error),
-                    fmt::format("{:.3f}", r.fraction().value), fmt::format("{:.3f}", ratio(study, r).value), r.failure()});
-  report.table({"law", "factor", "integrator", "largest stable step [s]", "over Rayleigh's", "over the original's", "beyond it"}, rows);
+    rows.push_back({r.law, fmt::format("{:g}", r.factor), r.integrator, r.criterion,
+                    fmt::format("{:.4g} ± {:.1g}", r.step().value, r.step().error), fmt::format("{:.3f}", r.fraction().value),
+                    std::isfinite(steps_per_contact(r)) ? fmt::format("{:.1f}", steps_per_contact(r)) : std::string("-"),
+                    fmt::format("{:.3f}", ratio(study, r).value), r.failure()});
+  report.table({"law", "factor", "integrator", "by", "largest stable step [s]", "over Rayleigh's", "steps per contact",
+                "over the original's", "beyond it"},
+               rows);
   write_file(out / "index.html", report.text());
   return missing;
 }

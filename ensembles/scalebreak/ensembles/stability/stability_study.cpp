@@ -15,6 +15,7 @@
 #include <scalebreak/ensembles/engine/flow_start.hpp>
 #include <scalebreak/ensembles/engine/step_choice.hpp>
 #include <scalebreak/ensembles/stability/elastic_scene.hpp>
+#include <scalebreak/ensembles/stability/rolling_left.hpp>
 #include <scalebreak/ensembles/tradeoff/collision_methods.hpp>
 #include <scalebreak/ensembles/tradeoff/stepped_collision.hpp>
 
@@ -45,9 +46,15 @@ struct Job {
 double smallest_radius(const System& system) { return *std::min_element(system.radius.begin(), system.radius.end()); }
 
 /// A collision at one step.
-StepTrial try_collision(const CollisionScene& scene, Integrator integrator, double fraction) {
-  const CollisionMethod& method = collision_methods()[static_cast<std::size_t>(integrator)];
-  const CollisionPoint point = measure_collision(scene, method, fraction, static_cast<int>(scene.input.tradeoff.phases));
+StepTrial try_collision(const CollisionScene& scene, const Job& job, double fraction) {
+  const auto phases = static_cast<int>(scene.input.tradeoff.phases);
+  if (job.criterion->at_rest)
+    return {.fraction = fraction,
+            .step = step_of(scene, fraction),
+            .collisions = 1,
+            .rolling_left = rolling_left(scene, job.integrator, fraction, phases)};
+  const CollisionMethod& method = collision_methods()[static_cast<std::size_t>(job.integrator)];
+  const CollisionPoint point = measure_collision(scene, method, fraction, phases);
   StepTrial trial{.fraction = fraction, .step = point.step, .collisions = 1, .motion_error = point.motion_largest};
   if (point.unparted > 0) trial.stopped = fmt::format("in {} of {} collisions the bodies did not part", point.unparted, point.phases);
   return trial;
@@ -58,7 +65,7 @@ LargestStep bisect(const Job& job) {
   input.run.integrator = job.integrator;
   if (!input.flow) {
     const CollisionScene scene = collision_scene(input);
-    return largest_step([&](double fraction) { return try_collision(scene, job.integrator, fraction); },
+    return largest_step([&](double fraction) { return try_collision(scene, job, fraction); },
                         [&](const StepTrial& trial) { return job.criterion->holds(trial, input); });
   }
   const FlowStart start = flow_start(input, job.seed);
@@ -194,9 +201,10 @@ StabilityStudy run_stability(const Input& input, int threads, const std::functio
     const CollisionScene original = collision_scene(inputs.front());
     study.spheres = original.moving.bodies.size(), study.speed = original.speed;
   }
+  study.criteria = stability_criteria(inputs.front());
   std::vector<Job> jobs;
-  study.records.reserve(inputs.size() * stability_criteria(input.flow).size() * input.study_integrators.size());  // jobs point into it
-  for (const StabilityCriterion& criterion : stability_criteria(input.flow)) {
+  study.records.reserve(inputs.size() * study.criteria.size() * input.study_integrators.size());  // jobs point into it
+  for (const StabilityCriterion& criterion : study.criteria) {
     for (const Integrator integrator : input.study_integrators) {
       for (const Input& scaled : inputs) {
         StabilityRecord& record = study.records.emplace_back(record_of(scaled, integrator, criterion));

@@ -38,11 +38,12 @@ struct StabilityRecord {
 };
 
 struct StabilityStudy {
-  bool flow = true;                      ///< false: of a collision
-  std::vector<StabilityRecord> records;  ///< for each criterion and integrator first the original's, law "none" at 1
-  std::size_t spheres = 0;               ///< of the original
-  double speed = 0;                      ///< root of the mean squared speed at the start; of a collision its largest relative speed [m/s]
-  int skipped = 0;                       ///< pairs of law and factor that do not go together
+  bool flow = true;                               ///< false: of a collision
+  std::vector<StabilityCriterion> criteria = {};  ///< by which steps were sought
+  std::vector<StabilityRecord> records;           ///< for each criterion and integrator first the original's, law "none" at 1
+  std::size_t spheres = 0;                        ///< of the original
+  double speed = 0;  ///< root of the mean squared speed at the start; of a collision its largest relative speed [m/s]
+  int skipped = 0;   ///< pairs of law and factor that do not go together
 
   /// Of the original, by the same criterion and integrator.
   [[nodiscard]] const StabilityRecord& original_of(const StabilityRecord& record) const;

@@ -14,6 +14,7 @@ struct StepTrial {
   double energy_growth =
       0;  ///< logarithm of the energy (kinetic and elastic) at the end over that at the start, per collision of each sphere
   double motion_error = 0;   ///< of a collision: the largest over the phases of a step, CollisionError::motion
+  double rolling_left = 0;   ///< of a collision that comes to rest: see rolling_left
   std::string stopped = {};  ///< why it could not go on, a sentence; empty: it went on to the end
 };
 

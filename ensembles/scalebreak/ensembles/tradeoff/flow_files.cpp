@@ -97,6 +97,10 @@ std::vector<std::string> write_tradeoff(const FlowTradeoff& study, const std::st
   HtmlReport report("Accuracy against cost: " + title,
                     fmt::format("The flow at several steps, beside {} at {:g} of the Rayleigh time, {:.4g} s.", word(reference.method),
                                 reference.step_fraction, reference.step));
+  report.paragraph(
+      "How to read it: a bar that does not reach 0 is a step, or an integrator, that the flow sees; of six quantities one is by chance beyond twice its "
+      "standard error in one point of four. What to choose: the largest step up to which nothing is beyond, if the errors are as small as the "
+      "accuracy that is asked for; else a longer run, or more replicas, first.");
   report.figure(out / "deviations.svg", "Relative deviations with their standard errors, the reference's included.");
   report.figure(out / "front.svg", "Where a deviation is below its standard error, the runs are too short to see it.");
   std::vector<std::vector<std::string>> rows;

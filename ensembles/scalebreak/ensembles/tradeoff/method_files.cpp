@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <scalebreak/ensembles/breakdown/study_quantities.hpp>
-#include <scalebreak/ensembles/breakdown/verdicts.hpp>
 #include <scalebreak/ensembles/tradeoff/tradeoff_files.hpp>
 #include <scalebreak/output/atomic_file.hpp>
 #include <scalebreak/output/csv.hpp>
@@ -23,6 +22,12 @@ CsvCell filled(const std::string& text) { return text.empty() ? CsvCell() : CsvC
 
 /// Columns of csv_of that plots take, from 1.
 constexpr const char *error_column = "10", *bar_columns = "12:13", *work_column = "18", *time_column = "19";
+
+/// Root mean square about the mean flow [m/s]; of a bed what is left of its motion.
+double fluctuation_speed(const CellResult& result) {
+  const Quantity* temperature = result.quantity("temperature");
+  return temperature ? std::sqrt(3 * temperature->measured.value) : std::nan("");
+}
 
 Csv csv_of(const MethodTradeoff& study, std::uint64_t seed) {
   std::vector<std::string> header = {"series",
@@ -54,8 +59,8 @@ Csv csv_of(const MethodTradeoff& study, std::uint64_t seed) {
                                      "run_wall_time [s]",
                                      "run_processor_time [s]",
                                      "patch_fraction [-]"};
-  for (const std::string& name : judged_quantities()) header.push_back(name + " [-]"), header.push_back(name + "_error [-]");
-  header.insert(header.end(), {"failure", "version"});
+  for (const std::string& name : study.quantities) header.push_back(name + " [-]"), header.push_back(name + "_error [-]");
+  header.insert(header.end(), {"fluctuation_speed [m/s]", "failure", "version"});
   Csv csv(header);
   for (const WayPoint& p : study.points) {
     const CellResult& r = p.result;
@@ -88,12 +93,12 @@ Csv csv_of(const MethodTradeoff& study, std::uint64_t seed) {
                                 r.wall_seconds,
                                 filled(r.processor_seconds),
                                 r.patch_fraction ? CsvCell(*r.patch_fraction) : CsvCell()};
-    for (const std::string& name : judged_quantities()) {
+    for (const std::string& name : study.quantities) {
       const auto c = std::find_if(p.deviations.begin(), p.deviations.end(), [&](const Comparison& each) { return each.name == name; });
       const bool there = c != p.deviations.end();
       row.push_back(there ? filled(c->relative.value) : CsvCell()), row.push_back(there ? filled(c->relative.error) : CsvCell());
     }
-    row.push_back(filled(p.failure)), row.push_back(filled(r.version));
+    row.push_back(filled(fluctuation_speed(r))), row.push_back(filled(p.failure)), row.push_back(filled(r.version));
     csv.add(row);
   }
   return csv;
@@ -160,13 +165,9 @@ void add_points(HtmlReport& report, const MethodTradeoff& study) {
                     : p.told       ? ""
                                    : "not told from 0",
                     fmt::format("{}", p.result.replicas), fmt::format("{:.0f}", p.result.particles), number_text(p.work),
-                    number_text(p.seconds), number_text(p.result.work.evaluations), number_text(p.result.work.lookups),
-                    number_text(p.result.work.sphere_steps),
-                    fmt::format("{}{}", p.on_work_front ? "work " : "", p.on_time_front ? "time" : "")});
+                    number_text(p.seconds), fmt::format("{}{}", p.on_work_front ? "work " : "", p.on_time_front ? "time" : "")});
   }
-  report.table({"way", "off most", "", "runs", "spheres", "work", "processor time [s]", "evaluations of a run", "lookups of a run",
-                "sphere steps of a run", "on the front of"},
-               rows);
+  report.table({"way", "off most", "", "runs", "spheres", "work", "processor time [s]", "on the front of"}, rows);
 }
 
 }  // namespace
@@ -189,6 +190,9 @@ std::vector<std::string> write_tradeoff(const MethodTradeoff& study, std::uint64
     if (!draw(plot, out)) missing.push_back(plot.name);
     report.figure(out / (plot.name + ".svg"), plot.title + ", " + equal + ", with standard errors.");
   }
+  report.paragraph(
+      "How to read it: a mark is a way, with the standard error of its error; the lower and the further to the left, the better. The black line is the "
+      "front, what no other way beats in both; below the grey line errors are not told apart, and the cheapest way alone is on the front.");
   add_points(report, study);
   report.paragraph("All numbers are in tradeoff.csv, a row a way.");
   write_file(out / "index.html", report.text());

@@ -6,6 +6,7 @@
 
 #include <scalebreak/base/error.hpp>
 #include <scalebreak/collisions/invariance/invariance.hpp>
+#include <scalebreak/ensembles/breakdown/study_quantities.hpp>
 #include <scalebreak/ensembles/engine/engine_names.hpp>
 #include <scalebreak/scaling/scaling_law.hpp>
 
@@ -54,8 +55,10 @@ class Builder {
         if (refusal(law, factor, input_.contact.normal)) {
           ++made_.skipped;
         } else if (size_factor(law, factor) > 1) {
-          for (const Keep keep : {Keep::count, Keep::cell})
+          for (const Keep keep : {Keep::count, Keep::cell}) {
+            if (keep == Keep::count && is_bed(input_)) continue;  // as many larger spheres are a deeper bed
             add({.engine = "dem", .law = name, .factor = factor, .keep = word(keep)}, {{"scaling.keep", std::string(word(keep)), {}}});
+          }
         } else {
           add({.engine = "dem", .law = name, .factor = factor}, {});
         }
@@ -102,6 +105,7 @@ MethodGrid method_grid(const Input& input) {
     }
   }
   MethodGrid made = builder.take();
+  made.bed = is_bed(input);
   const bool there = std::any_of(made.ways.begin(), made.ways.end(), [](const FlowWay& way) { return way.cell && way.original(); });
   if (!there) throw InputError("study.engines: none of them runs the original; allowed: one that does, as \"dem\"");
   return made;

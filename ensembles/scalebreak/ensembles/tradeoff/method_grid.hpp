@@ -31,10 +31,11 @@ struct MethodGrid {
   StudyGrid grid;             ///< what is run, each cell once
   std::vector<FlowWay> ways;  ///< in the order of the engines; those that are refused too
   int skipped = 0;            ///< pairs of law and factor that do not go together
+  bool bed = false;           ///< is_bed: other quantities tell the ways apart
 };
 
 /// The ways that an input's [study] asks for: soft spheres ("dem") at each of the step fractions and at the scene's own, and at that one under each law at
-/// its factors, laws that enlarge both with as many spheres and in the same cell where there are any left; "hybrid" and "event" of the original;
+/// its factors, laws that enlarge both with as many spheres and in the same cell where there are any left, of a bed the latter alone; "hybrid" and "event" of the original;
 /// "auto", which is one of them. "auto" alone: all. Throws InputError where no way is left that runs the original.
 [[nodiscard]] MethodGrid method_grid(const Input& input);
 

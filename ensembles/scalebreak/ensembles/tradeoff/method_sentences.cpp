@@ -64,10 +64,37 @@ std::string of_hybrid(const MethodTradeoff& study, const std::string& cost, doub
   return text;
 }
 
+/// The cheapest way within each of some errors, in words; a way is named once.
+std::string of_choice(const MethodTradeoff& study) {
+  std::vector<std::string> words;
+  const WayPoint* last = nullptr;
+  for (const double allowed : {study.resolution, 0.1, 0.3}) {
+    const WayPoint* best = nullptr;
+    for (const WayPoint& point : study.points) {
+      if (!(point.judged <= allowed) || !std::isfinite(point.seconds)) continue;
+      if (!best || point.seconds < best->seconds) best = &point;
+    }
+    if (!best || best == last) continue;
+    last = best;
+    words.push_back(
+        fmt::format("{}, {} ({:.3g} s)",
+                    allowed == study.resolution ? "where no error may be told" : fmt::format("where one of {:.0f} % may be", 100 * allowed),
+                    best->way.name(), best->seconds));
+  }
+  if (words.empty()) return {};
+  return fmt::format("What to choose, by processor time: {}", fmt::join(words, "; "));
+}
+
+std::string of_quantities(const MethodTradeoff& study) {
+  std::vector<std::string> names;
+  for (const std::string& name : study.quantities) names.emplace_back(study_quantity(name).what);
+  return fmt::format("An error is the largest relative deviation of {}", fmt::join(names, ", "));
+}
+
 }  // namespace
 
 std::vector<std::string> sentences(const MethodTradeoff& study) {
-  std::vector<std::string> list = {of_reference(study)};
+  std::vector<std::string> list = {of_quantities(study), of_reference(study)};
   for (const WayPoint& point : study.points) {
     if (!point.failure.empty()) list.push_back(fmt::format("{} has no answer: {}", point.way.name(), point.failure));
   }
@@ -78,6 +105,7 @@ std::vector<std::string> sentences(const MethodTradeoff& study) {
        {of_hybrid(study, "counted work", &WayPoint::work), of_hybrid(study, "processor time", &WayPoint::seconds)}) {
     if (!each.empty()) list.push_back(each);
   }
+  if (const std::string choice = of_choice(study); !choice.empty()) list.push_back(choice);
   return list;
 }
 

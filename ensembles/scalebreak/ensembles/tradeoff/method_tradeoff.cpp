@@ -14,6 +14,11 @@ namespace {
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 /// Relative to a value that is not known to this share, a deviation says nothing: a shear stress without shear.
 constexpr double well_known = 0.1;
+/// What is known better than this is a number of the scene, as the volume fraction of a closed cell, and no result.
+constexpr double given = 1e-9;
+
+/// Nothing collides, moves or is sheared in a bed at rest.
+std::vector<std::string> of_beds() { return {"bed_volume_fraction", "coordination", "pressure"}; }
 
 /// The mean of independent values, weighted by their errors. One without an error counts where it is alone.
 Measured weighted_mean(const std::vector<Measured>& values) {
@@ -27,11 +32,11 @@ Measured weighted_mean(const std::vector<Measured>& values) {
 }
 
 /// Quantities of the reference's parts together, without one of them.
-std::vector<Quantity> reference_of(const std::vector<WayPoint>& points, const WayPoint* without) {
+std::vector<Quantity> reference_of(const MethodTradeoff& study, const WayPoint* without) {
   std::vector<Quantity> reference;
-  for (const std::string& name : judged_quantities()) {
+  for (const std::string& name : study.quantities) {
     std::vector<Measured> values;
-    for (const WayPoint& point : points) {
+    for (const WayPoint& point : study.points) {
       const Quantity* quantity = point.in_reference && &point != without ? point.result.quantity(name) : nullptr;
       if (quantity) values.push_back(quantity->measured);
     }
@@ -62,10 +67,12 @@ void compare_with(WayPoint& point, const std::vector<Quantity>& reference) {
     point.deviations.push_back(compare({first.name, first.unit, {claim * first.measured.value, claim * first.measured.error}}, *quantity));
     const Comparison& c = point.deviations.back();
     const double off = std::abs(c.relative.value);
-    if (!(c.first.error <= well_known * std::abs(c.first.value)) || !std::isfinite(c.relative.error) || off < point.error) continue;
-    point.error = off, point.error_error = c.relative.error, point.worst = c.name;
+    if (!(c.first.error <= well_known * std::abs(c.first.value)) || !std::isfinite(c.relative.error)) continue;
+    if (c.relative.error < given) continue;
+    const bool told = off > told_beyond * c.relative.error;  // one that is told counts before a larger one that is not
+    if (!point.worst.empty() && (told == point.told ? off < point.error : point.told)) continue;
+    point.error = off, point.error_error = c.relative.error, point.worst = c.name, point.told = told;
   }
-  point.told = point.error > told_beyond * point.error_error;
 }
 
 /// Median of the errors that a deviation must exceed to be told.
@@ -118,7 +125,7 @@ double spheres_of(const std::vector<WayPoint>& points) {
 }  // namespace
 
 MethodTradeoff method_tradeoff(const MethodGrid& grid, const std::vector<CellResult>& results) {
-  MethodTradeoff study{.points = {}, .resolution = 0, .skipped = grid.skipped};
+  MethodTradeoff study{.points = {}, .quantities = grid.bed ? of_beds() : judged_quantities(), .resolution = 0, .skipped = grid.skipped};
   for (const FlowWay& way : grid.ways) {
     WayPoint point{.way = way, .result = way.cell ? results[*way.cell] : CellResult{}, .failure = way.refusal};
     if (way.cell && point.result.failed())
@@ -130,7 +137,7 @@ MethodTradeoff method_tradeoff(const MethodGrid& grid, const std::vector<CellRes
   for (WayPoint& point : study.points) {
     if (point.failure.empty()) {
       put_cost(point, spheres_of(study.points));
-      compare_with(point, reference_of(study.points, point.in_reference ? &point : nullptr));
+      compare_with(point, reference_of(study, point.in_reference ? &point : nullptr));
     }
     if (point.worst.empty()) point.error = nothing;
   }

@@ -17,7 +17,7 @@ struct WayPoint {
   std::string failure;  ///< a sentence: why there is no answer; empty: there is one
   bool in_reference = false;
   std::vector<Comparison> deviations;  ///< of what is judged, from the reference, or for a part of it from the other parts
-  std::string worst;                   ///< quantity that is off most
+  std::string worst;                   ///< quantity that is off most, of those that are told from 0 if there are any
   double error = 0, error_error = 0;   ///< its relative deviation, without sign, and the standard error of that; NaN: none
   bool told = false;                   ///< from 0
   double judged = 0;                   ///< error that fronts are made of: see judged_error; NaN: none
@@ -31,7 +31,8 @@ struct WayPoint {
 /// Error against cost of all ways to a flow's answer.
 struct MethodTradeoff {
   std::vector<WayPoint> points;
-  double resolution = 0;  ///< errors below it are not told apart, relative
+  std::vector<std::string> quantities;  ///< that are compared: judged_quantities; of a bed its volume fraction, coordination and pressure
+  double resolution = 0;                ///< errors below it are not told apart, relative
   int skipped = 0;
   bool complete = true;  ///< false: it was interrupted
 };
