@@ -75,7 +75,7 @@ void run(const Options& options) {
   const LawAdvice& best = advice.laws[advice.recommended];
   deliver(options, input, "advise", advice_json(advice, model, input.advise.tolerance));
   if (options.json) return;
-  fmt::print("{}\n", sentence(best));
+  fmt::print("{}\n  it {}\n", sentence(best), best.keeps);
   for (const std::string& warning : best.warnings) fmt::print("  beware: {}\n", warning);
   fmt::print("all laws:\n");
   for (const LawAdvice& law : advice.laws) fmt::print("  {}\n", sentence(law));
