@@ -108,6 +108,21 @@ TEST_F(AdviseCommand, ForecastsAStudy) {
   EXPECT_THAT(read_file(folder / "forecast/prediction.csv").value_or(""), testing::HasSubstr(",not_run,stress_xz,,,"));
 }
 
+TEST_F(AdviseCommand, TestsTheModelOnStudiesThatItHasNotSeen) {
+  const std::string reference = SCALEBREAK_SOURCE "/data/reference/";
+  const ProgramRun result =
+      run({"advise", "--test", reference + "blind", reference + "blind_cohesive", "--json", "--out", folder / "test"});
+  ASSERT_EQ(result.status, 0) << result.err;
+  const json all = result.json()["together"];  // docs/prediction.md
+  EXPECT_EQ(all["rows"], 140);
+  EXPECT_EQ(all["off"], 60);
+  EXPECT_GE(all["within_factor_1_5"], 54);
+  EXPECT_THAT(read_file(folder / "test/prediction.csv").value_or(""), testing::HasSubstr(",unseen,collision_rate,"));
+  const ProgramRun other =
+      run({"advise", "--test", reference + "blind", "--model", model, "--json"});  // one that was not fitted to anything
+  EXPECT_LT(other.json()["together"]["softened_within_factor_1_5"], 15);
+}
+
 TEST_F(AdviseCommand, UnderPressureSupGoesFarthestAndGasCools) {
   const std::vector<std::string> confined = {"cell.kind=confined_shear", "cell.shear_rate=6.32", "cell.pressure=1000",
                                              "material.surface_energy=0.1", "material.young=1e8"};
