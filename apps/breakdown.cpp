@@ -21,14 +21,14 @@ std::string estimate(const Options& options, const Input& input) {
 }
 
 void print(const StudyResult& study, const std::string& parameter) {
-  for (const LawReach& reach : law_reaches(study)) fmt::print("{}\n", sentence(reach, parameter));
   for (std::size_t i = 0; i < study.cells.size(); ++i) {
     if (!study.cells[i].failure.empty())
       fmt::print("{} at {:g}, {}: {}\n", study.grid.cells[i].law, study.grid.cells[i].factor, study.grid.cells[i].point.name(parameter),
                  study.cells[i].failure);
   }
-  fmt::print("\n");
   for (const std::string& each : law_digest(study, parameter)) fmt::print("{}\n", each);
+  fmt::print("\nwhere each law breaks:\n");
+  for (const LawReach& reach : law_reaches(study)) fmt::print("{}\n", sentence(reach, parameter));
 }
 
 void run(const Options& options) {

@@ -29,6 +29,8 @@ struct Options {
   std::string engine = "auto";              ///< of `run`
   bool resume = false;                      ///< of `run`
   std::vector<std::string> studies;         ///< of `advise`, to fit to
+  std::vector<std::string> tested;          ///< of `advise`, to test on
+  bool forecast = false;                    ///< of `advise`
   std::string model;                        ///< of `advise`
 
   /// The input of one file, or of none. Throws InputError for a flow if the command takes none.

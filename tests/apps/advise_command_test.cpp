@@ -6,6 +6,7 @@
 
 #include <scalebreak/ensembles/breakdown/verdicts.hpp>
 #include <scalebreak/ensembles/prediction/prediction_file.hpp>
+#include <scalebreak/output/atomic_file.hpp>
 
 #include <apps/program.hpp>
 
@@ -97,6 +98,48 @@ TEST_F(AdviseCommand, TakesTheSceneFromItsKeys) {
   const json slow = advice({"advise.shear_rate=10"}), fast = advice({"advise.shear_rate=1000"});
   EXPECT_LT(slow["original"]["impact_speed"], fast["original"]["impact_speed"]);
   EXPECT_NEAR(advice({"advise.speed=0.3"})["original"]["impact_speed"].get<double>(), std::sqrt(std::numbers::pi * 0.03), 1e-9);
+}
+
+TEST_F(AdviseCommand, ForecastsAStudy) {
+  const ProgramRun result = run({"advise", file, "--model", model, "--forecast", "--set", "study.laws=[\"rps\"]", "--set",
+                                 "study.factors=[1e-2, 1e-3]", "--out", folder / "forecast"});
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_THAT(result.out, testing::HasSubstr("rps at 0.01: granular temperature "));
+  EXPECT_THAT(read_file(folder / "forecast/prediction.csv").value_or(""), testing::HasSubstr(",not_run,stress_xz,,,"));
+}
+
+TEST_F(AdviseCommand, TestsTheModelOnStudiesThatItHasNotSeen) {
+  const std::string reference = SCALEBREAK_SOURCE "/data/reference/";
+  const ProgramRun result =
+      run({"advise", "--test", reference + "blind", reference + "blind_cohesive", "--json", "--out", folder / "test"});
+  ASSERT_EQ(result.status, 0) << result.err;
+  const json all = result.json()["together"];  // docs/prediction.md
+  EXPECT_EQ(all["rows"], 140);
+  EXPECT_EQ(all["off"], 60);
+  EXPECT_GE(all["within_factor_1_5"], 54);
+  EXPECT_THAT(read_file(folder / "test/prediction.csv").value_or(""), testing::HasSubstr(",unseen,collision_rate,"));
+  const ProgramRun other =
+      run({"advise", "--test", reference + "blind", "--model", model, "--json"});  // one that was not fitted to anything
+  EXPECT_LT(other.json()["together"]["softened_within_factor_1_5"], 15);
+}
+
+TEST_F(AdviseCommand, UnderPressureSupGoesFarthestAndGasCools) {
+  const std::vector<std::string> confined = {"cell.kind=confined_shear", "cell.shear_rate=6.32", "cell.pressure=1000",
+                                             "material.surface_energy=0.1", "material.young=1e8"};
+  const json j = advice(confined);
+  EXPECT_GT(factor_of(j, "sup", false), 1.5 * factor_of(j, "bond", false));  // whose pull-off force grows as l³ where the load grows as l²
+  EXPECT_GT(factor_of(j, "sup", false), 1.5 * factor_of(j, "chen_elliott", false));
+  for (const json& law : j["laws"]) {
+    if (law["law"] != "sup") continue;
+    EXPECT_EQ(law["expected_error_of"], "stress_xz");
+    EXPECT_THAT(law["keeps"].get<std::string>(), testing::StartsWith("keeps pull-off force over pressure"));
+    EXPECT_EQ(law["limiting_mechanism"], "size");
+  }
+  EXPECT_THAT(j["warnings"].dump(), testing::HasSubstr("lasting contacts carry the pressure"));
+
+  const json cooling = advice({"cell.kind=cooling", "cell.shear_rate=0", "run.duration=0.1", "material.surface_energy=0"});
+  EXPECT_LT(factor_of(cooling, "none", false), 1.1);  // larger spheres cool later
+  EXPECT_LT(factor_of(cooling, "rps", true), 0.1);
 }
 
 TEST_F(AdviseCommand, WarnsOutsideTheFit) {

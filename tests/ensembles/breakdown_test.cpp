@@ -149,6 +149,23 @@ TEST(Study, KeepsTheReasonOfARunThatFails) {
   }
 }
 
+TEST(Study, ComparesShearStressWhereThereIsShear) {
+  for (const bool sheared : {true, false}) {
+    Input input = resolved(small_study, {"study.volume_fractions=[0.2]"});
+    if (!sheared)
+      input.cell.kind = CellKind::cooling, input.cell.shear_rate = 0, input.run.strain = input.run.warmup_strain = 0,
+      input.run.duration = 0.1;
+    StudyResult study{.grid = study_grid(input), .cells = {}};
+    for (std::size_t i = 0; i < study.grid.cells.size(); ++i) {
+      study.cells.push_back({.cell = i, .replicas = 1});
+      study.cells[i].quantities = {{"pressure", "Pa", {10, 0.1}}, {"stress_xz", "Pa", {0.001, 0.01}}};
+    }
+    compare_with_originals(study);
+    EXPECT_NE(study.cells[1].deviation("pressure"), nullptr);
+    EXPECT_EQ(study.cells[1].deviation("stress_xz") != nullptr, sheared);
+  }
+}
+
 TEST(Study, ComparesWithWhatALawClaimsOfTheOriginal) {
   StudyResult study{.grid = study_grid(resolved(small_study, {"study.volume_fractions=[0.2]"})), .cells = {}};
   ASSERT_EQ(study.grid.cells[2].law, "sup");  // at 2

@@ -9,6 +9,7 @@
 #include <scalebreak/ensembles/breakdown/study_files.hpp>
 #include <scalebreak/ensembles/breakdown/study_grid.hpp>
 #include <scalebreak/ensembles/engine/event_engine.hpp>
+#include <scalebreak/ensembles/prediction/flow_knowledge.hpp>
 #include <scalebreak/ensembles/prediction/granular_theory.hpp>
 #include <scalebreak/ensembles/prediction/prediction_file.hpp>
 #include <scalebreak/scene/input_file.hpp>
@@ -140,6 +141,97 @@ TEST(ScaleGroups, ImposedPressureSetsTheInertialNumber) {
   EXPECT_LT(groups.collisional_share, 0.01);  // what collisions carry of such a pressure
 }
 
+const std::string cooling = R"(
+[material]
+restitution = 0.9
+surface_energy = 0
+[contact]
+normal = "hertz"
+[particles]
+count = 200
+radius = 0.5e-3
+volume_fraction = 0.1
+speed = 0.1
+[cell]
+kind = "cooling"
+[run]
+warmup_duration = 0.03
+duration = 0.02
+)";
+
+TEST(ScaleGroups, GasCoolsByHaffsLaw) {
+  const ScaleGroups original = scale_groups(resolved(cooling)), large = scale_groups(with(cooling, "none", 2));
+  EXPECT_EQ(original.regime, FlowRegime::cooling);
+  EXPECT_NEAR(original.cooled, (1 - 0.81) / 6 * original.collision_rate * 0.05, 1e-12);
+  EXPECT_NEAR(large.cooled, original.cooled / 2, 1e-12);  // twice as large spheres meet half as often
+  // Temperatures at the end over each other: ((1 + s)/(1 + s/2))², and a rate that is claimed to be half.
+  const double s = original.cooled, faster = (1 + s) / (1 + s / 2);
+  EXPECT_NEAR(std::exp(speed_growth(large)), faster, 1e-12);
+  EXPECT_NEAR(predict({.quantity = "temperature"}, original, large).deviation.value, faster * faster - 1, 1e-12);
+  EXPECT_NEAR(predict({.quantity = "collision_rate"}, original, large).deviation.value, faster - 1, 1e-12);
+  EXPECT_EQ(speed_growth(scale_groups(with(cooling, "rps", 1e-2))), 0);
+  Input sticky = resolved(cooling);
+  sticky.contact.normal = NormalModel::jkr, sticky.material.surface_energy = 0.02;
+  const ScaleGroups long_after = scale_groups(sticky);
+  sticky.run.warmup_duration = 0, sticky.run.duration = 1e-9;
+  EXPECT_NEAR(long_after.impact_over_sticking / scale_groups(sticky).impact_over_sticking, 1 / (1 + s), 1e-6);
+}
+
+Input pressed(const std::string& law, double factor, double surface_energy) {
+  Input input = with(cohesive, law, factor);
+  input.material.young = 1e8, input.material.surface_energy = surface_energy;
+  input.cell.kind = CellKind::confined_shear, input.cell.pressure = 1000, input.cell.shear_rate = 6.32;
+  return input;
+}
+
+TEST(ScaleGroups, LoadPressesSpheresTogether) {
+  const ScaleGroups original = scale_groups(pressed("none", 1, 0.1)), large = scale_groups(pressed("sup", 2, 0.1)),
+                    soft = scale_groups(pressed("rps", 0.1, 0.1));
+  EXPECT_EQ(original.regime, FlowRegime::pressed);
+  // Hertz: F = 4/3 E* √R* δ^{3/2} with F = P d² and d = 4 R*.
+  const double young = 1e8 / (2 * (1 - 0.25 * 0.25)), force = 1000 * 1e-6, radius = 0.25e-3;
+  EXPECT_NEAR(original.pressed_overlap, std::pow(0.75 * force / (young * std::sqrt(radius)), 2.0 / 3) / radius,
+              1e-6 * original.pressed_overlap);
+  EXPECT_NEAR(large.pressed_overlap / original.pressed_overlap, 1, 1e-9);  // forces grow as l², as the load
+  EXPECT_NEAR(soft.pressed_overlap / original.pressed_overlap, std::pow(10, 2.0 / 3), 1e-6);
+}
+
+TEST(FlowKnowledge, UnderPressureSupKeepsWhatCohesionIsHeldAgainst) {
+  const DeviationModel none;
+  const ScaleGroups original = scale_groups(pressed("none", 1, 0.1));
+  const FlowKnowledge knowledge{.model = none, .regime = FlowRegime::pressed, .slope = {{0.12, 0.02}, 0.24}};
+  const auto stress = [&](const char* law, double factor) {
+    return knowledge.expected(original, scale_groups(pressed(law, factor, 0.1))).front();
+  };
+  ASSERT_EQ(stress("sup", 2).quantity, "stress_xz");
+  // SUP changes the inertial number alone; bond's pull-off force grows as l³, so over pressure × d² as l; RPS lowers it.
+  const double inertia = stress("sup", 2).deviation.value;
+  EXPECT_GT(inertia, 0);
+  EXPECT_LT(inertia, 0.05);
+  EXPECT_NEAR(std::log1p(stress("bond", 2).deviation.value) - std::log1p(inertia), 0.12 * std::log(2), 1e-6);
+  EXPECT_NEAR(std::log1p(stress("none", 2).deviation.value) - std::log1p(inertia), -0.12 * std::log(2) * original.bond / 0.24, 1e-3);
+  EXPECT_EQ(stress("bond", 2).mechanism, "adhesion");
+  EXPECT_LT(stress("rps", 0.1).deviation.value, 0);
+  EXPECT_THAT(kept_groups(original, scale_groups(pressed("sup", 2, 0.1))),
+              testing::AllOf(testing::StartsWith("keeps pull-off force over pressure × d², overlap under the load"),
+                             testing::HasSubstr("inertial number × 2")));
+  EXPECT_THAT(kept_groups(original, scale_groups(pressed("bond", 2, 0.1))), testing::HasSubstr("pull-off force over pressure × d² × 2"));
+}
+
+TEST(FlowKnowledge, FindsTheSlopeOfCohesion) {
+  TrainingRows rows;
+  for (const double ratio : {0.5, 2.0, 3.0}) {
+    TrainingRow row{.quantity = "stress_xz", .deviation = {std::pow(ratio, 0.15) - 1, 0.01}};
+    row.original.bond = 0.3, row.scaled.bond = 0.3 * ratio, row.original.inertial_number = row.scaled.inertial_number = 0.01;
+    rows.rows.push_back(row);
+  }
+  const CohesionSlope slope = cohesion_slope(rows);
+  EXPECT_NEAR(slope.slope.value, 0.15, 1e-12);
+  EXPECT_NEAR(slope.slope.error, 0, 1e-9);
+  EXPECT_NEAR(slope.at, 0.3, 1e-12);
+  EXPECT_THROW((void)cohesion_slope({}), WorkError);
+}
+
 /// Rows that follow a model with these coefficients, their errors drawn.
 std::vector<TrainingRow> synthetic(const QuantityModel& truth, double error, std::size_t cells) {
   std::mt19937_64 stream(7);
@@ -242,6 +334,37 @@ TEST(ModelFit, SplitsByTheKeyAlone) {
   const DeviationModel back_again = model_from_json(nlohmann::json::parse(model_json(model).dump()), "model");
   EXPECT_EQ(model_json(back_again), model_json(model));
   EXPECT_THROW((void)model_from_json(nlohmann::json::parse("{}"), "model"), InputError);
+}
+
+TEST(ModelFit, IsTestedOnWhatItHasNotSeen) {
+  DeviationModel model;
+  model.quantities = {QuantityModel{.quantity = "temperature", .coefficients = {-0.6, 0, 0, 0}}};
+  TrainingRows unseen;
+  unseen.rows = synthetic({.quantity = "temperature", .coefficients = {-0.6, 0, 0, 0}}, 0.001, 50);
+  for (TrainingRow& row : unseen.rows) row.scaled.size = 1, row.scaled.torque_lack = 0;
+  TrainingRow deep = unseen.rows.front();
+  deep.scaled.overlap = 0.2, unseen.rows.push_back(deep);  // beyond the model: left out
+  for (TrainingRow& row : unseen.rows) row.deviation = {predict(model.quantities[0], row.original, row.scaled).deviation.value, 0.001};
+  auto test = test_on(model, unseen);
+  EXPECT_EQ(test["temperature"].rows, 50u);
+  EXPECT_GT(test["temperature"].off, 20u);
+  EXPECT_EQ(test["temperature"].within_factor, test["temperature"].off);
+  for (TrainingRow& row : unseen.rows) row.deviation.value *= 1.6;
+  test = test_on(model, unseen);
+  EXPECT_EQ(test["temperature"].within_factor, 0u);
+  test["pressure"] = test["temperature"];
+  EXPECT_EQ(together(test).off, 2 * test["temperature"].off);
+  EXPECT_NEAR(together(test).rms, test["temperature"].rms, 1e-12);
+}
+
+TEST(TrainingRows, ForecastsAStudyBeforeItRuns) {
+  const Input input = resolved(undamped + "[study]\nlaws = [\"rps\"]\nfactors = [0.01, 0.001]\nvolume_fractions = [0.2, 0.3]\n");
+  const TrainingRows forecast = forecast_rows(input, "coming");
+  ASSERT_EQ(forecast.rows.size(), 4 * predicted_quantities().size());
+  const TrainingRow& row = forecast.rows.front();
+  EXPECT_TRUE(std::isnan(row.deviation.value));
+  EXPECT_EQ(row.law, "rps");
+  EXPECT_NEAR(row.scaled.busy / row.original.busy, std::pow(0.01, -0.4), 1e-4);
 }
 
 TEST(TrainingRows, ReadsAStudysFolder) {

@@ -30,22 +30,20 @@ Input under(const Input& scene, const ScalingLaw& law, double factor) {
   return scaled;
 }
 
-double with_error(const Prediction& p) { return std::abs(p.deviation.value) + p.deviation.error; }
-
 /// One law on one side of 1.
 class Search {
  public:
-  Search(const Input& scene, const DeviationModel& model, const ScaleGroups& original, const ScalingLaw& law)
-      : scene_(scene), model_(model), original_(original), law_(law) {}
+  Search(const Input& scene, const FlowKnowledge& knowledge, const ScaleGroups& original, const ScalingLaw& law)
+      : scene_(scene), knowledge_(knowledge), original_(original), law_(law) {}
 
   [[nodiscard]] ScaleGroups groups(double factor) const { return scale_groups(under(scene_, law_, factor)); }
 
   /// Above 0 where something is beyond what is allowed: by how much of it, relative.
   [[nodiscard]] double excess(double factor) const {
     const ScaleGroups scaled = groups(factor);
-    double most = beyond_model(scaled);
-    for (const QuantityModel& quantity : model_.quantities)
-      most = std::max(most, with_error(predict(quantity, original_, scaled)) / scene_.advise.tolerance - 1);
+    double most = knowledge_.beyond(original_, scaled, scene_.advise.tolerance);
+    for (const Expectation& each : knowledge_.expected(original_, scaled))
+      most = std::max(most, with_error(each) / scene_.advise.tolerance - 1);
     return most;
   }
 
@@ -72,7 +70,7 @@ class Search {
 
  private:
   const Input& scene_;
-  const DeviationModel& model_;
+  const FlowKnowledge& knowledge_;
   const ScaleGroups& original_;
   const ScalingLaw& law_;
 };
@@ -89,20 +87,20 @@ double largest_size(const Input& scene) {
   return std::clamp(plan.size.minCoeff() / least_periodic_edge(plan.largest, plan.reach), 1.0, largest);
 }
 
-LawAdvice advise_law(const Input& scene, const DeviationModel& model, const ScaleGroups& original, const ScalingLaw& law, double end,
+LawAdvice advise_law(const Input& scene, const FlowKnowledge& knowledge, const ScaleGroups& original, const ScalingLaw& law, double end,
                      int threads) {
-  const Search search(scene, model, original, law);
+  const Search search(scene, knowledge, original, law);
   LawAdvice advice{.law = std::string(law.name)};
   advice.factor = end == 1 ? 1 : search.reach(end);
   const Input scaled = under(scene, law, advice.factor);
   advice.groups = scale_groups(scaled);
-  for (const QuantityModel& quantity : model.quantities)
-    advice.predictions.emplace_back(quantity.quantity, predict(quantity, original, advice.groups));
-  advice.worst = std::max_element(advice.predictions.begin(), advice.predictions.end(), [](const auto& a, const auto& b) {
-                   return with_error(a.second) < with_error(b.second);
-                 })->first;
-  describe_limit(advice, model, original, search.groups(beyond(advice.factor, end)), scene.advise.tolerance, end);
-  advice.warnings = warnings_of(scene, model, original, advice.groups);
+  advice.predictions = knowledge.expected(original, advice.groups);
+  advice.keeps = kept_groups(original, advice.groups);
+  advice.worst = std::max_element(advice.predictions.begin(), advice.predictions.end(), [](const Expectation& a, const Expectation& b) {
+                   return with_error(a) < with_error(b);
+                 })->quantity;
+  describe_limit(advice, knowledge, original, search.groups(beyond(advice.factor, end)), scene.advise.tolerance, end);
+  advice.warnings = warnings_of(scene, knowledge, original, advice.groups);
   const EngineChoice engine = choose_engine("auto", scaled, threads);
   advice.engine = engine.engine, advice.engine_reason = engine.reason;
   advice.speedup = work_of(scene) / work_of(scaled);
@@ -112,8 +110,8 @@ LawAdvice advise_law(const Input& scene, const DeviationModel& model, const Scal
 }  // namespace
 
 Measured LawAdvice::expected_error() const {
-  for (const auto& [name, prediction] : predictions) {
-    if (name == worst) return {std::abs(prediction.deviation.value), prediction.deviation.error};
+  for (const Expectation& each : predictions) {
+    if (each.quantity == worst) return {std::abs(each.deviation.value), each.deviation.error};
   }
   return {};
 }
@@ -121,12 +119,13 @@ Measured LawAdvice::expected_error() const {
 Advice advise(const Input& input, const DeviationModel& model, int threads) {
   const Input scene = advised_scene(input);
   Advice advice{.laws = {}, .original = scale_groups(scene)};
+  const FlowKnowledge knowledge = knowledge_of(advice.original, model);
   for (const bool softens : {true, false}) {
     for (const std::string& name : study_laws(scene)) {
       const ScalingLaw& law = *find_scaling_law(name);
       const double end = softens ? softest : largest_size(scene);
       if (refusal(law, softens ? 0.5 : 2, scene.contact.normal)) continue;
-      advice.laws.push_back(advise_law(scene, model, advice.original, law, end, threads));
+      advice.laws.push_back(advise_law(scene, knowledge, advice.original, law, end, threads));
     }
   }
   if (advice.laws.empty()) throw InputError("study.laws: none of these laws suits the contact; allowed: [] for all that do");

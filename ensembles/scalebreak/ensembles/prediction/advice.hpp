@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include <scalebreak/ensembles/prediction/model_fit.hpp>
+#include <scalebreak/ensembles/prediction/flow_knowledge.hpp>
 #include <scalebreak/scene/input.hpp>
 
 namespace scalebreak {
@@ -14,8 +14,9 @@ struct LawAdvice {
   std::string law;
   double factor = 1;  ///< the farthest from 1 up to which all predictions stay within the tolerance
   std::string engine, engine_reason;
-  std::vector<std::pair<std::string, Prediction>> predictions;  ///< of the judged quantities at that factor
-  std::string worst;                                            ///< the one that is off most, its uncertainty included
+  std::vector<Expectation> predictions;   ///< at that factor
+  std::string keeps;                      ///< which numbers of the flow it keeps there, and how it changes the others
+  std::string worst;                      ///< the one that is off most, its uncertainty included
   double speedup = 1;                     ///< sphere steps of the original over those of the scaled flow, by soft spheres
   std::string limiting_mechanism, limit;  ///< what ends the law's reach in a word, and in a sentence
   std::vector<std::string> warnings;

@@ -17,46 +17,61 @@ using nlohmann::json;
 constexpr double a_little = 1.02;
 constexpr double range_margin = 1.05;  ///< of a fitted range that counts as inside
 
-/// The term that moves a prediction most, and the others that go the same way do not.
-std::string mechanism_of(const Prediction& prediction) {
-  double largest = std::abs(prediction.size);
-  std::string mechanism = "size";
-  std::vector<std::pair<std::string, double>> sums;  // terms of one mechanism act together
-  for (std::size_t i = 0; i < term_count; ++i) {
-    const std::string name = deviation_terms[i].mechanism;
-    const auto at = std::find_if(sums.begin(), sums.end(), [&](const auto& each) { return each.first == name; });
-    at == sums.end() ? void(sums.emplace_back(name, prediction.parts[i])) : void(at->second += prediction.parts[i]);
+std::string size_reason(const ScaleGroups& original, const ScaleGroups& there) {
+  switch (original.regime) {
+    case FlowRegime::pressed:
+      return fmt::format("the inertial number goes from {:.2g} to {:.2g}, as shear rate × diameter", original.inertial_number,
+                         there.inertial_number);
+    case FlowRegime::cooling: return fmt::format("spheres {:.3g} times larger meet more rarely, and cool later by as much", there.size);
+    default:
+      return fmt::format(
+          "spheres {:.3g} times larger in a flow whose pressure collisions carry, in which temperature and stress grow as size²",
+          there.size);
   }
-  for (const auto& [name, sum] : sums) {
-    if (std::abs(sum) > largest) largest = std::abs(sum), mechanism = name;
-  }
-  return mechanism;
 }
 
 std::string reason_of(const std::string& mechanism, const ScaleGroups& original, const ScaleGroups& there) {
-  if (mechanism == "size")
-    return fmt::format(
-        "spheres {:.3g} times larger in a flow whose pressure collisions carry, in which temperature and stress grow as size²", there.size);
+  if (mechanism == "size") return size_reason(original, there);
+  if (mechanism == "adhesion" && original.regime == FlowRegime::pressed)
+    return fmt::format("pull-off force over pressure × d² goes from {:.3g} to {:.3g}", original.bond, there.bond);
   if (mechanism == "adhesion")
     return fmt::format("sticking speed over impact speed goes from {:.3g} to {:.3g}", 1 / original.impact_over_sticking,
                        1 / there.impact_over_sticking);
+  if (mechanism == "overlap")
+    return fmt::format("spheres are pressed into each other by {:.2g} of R*, {:.2g} before", there.pressed_overlap,
+                       original.pressed_overlap);
   if (mechanism == "contact time")
     return fmt::format("contact time × collision rate goes from {:.2g} to {:.2g}", original.busy, there.busy);
   return "the torques of a direct-force law fall short at the larger radius";
+}
+
+/// What is beyond the contact laws, the model, or a number that must be kept: the mechanism and a sentence, or nothing.
+std::pair<std::string, std::string> broken_bound(const FlowKnowledge& knowledge, const ScaleGroups& original, const ScaleGroups& there,
+                                                 double tolerance) {
+  const bool gas = knowledge.regime == FlowRegime::collisional || knowledge.regime == FlowRegime::cooling;
+  if (knowledge.beyond(original, there, tolerance) <= 0) return {};
+  if ((gas ? there.overlap : there.pressed_overlap) > deep_overlap)
+    return {"overlap", fmt::format("overlaps would exceed {:g} of R*, more than the contact laws are meant for", deep_overlap)};
+  if (gas)
+    return {"adhesion",
+            fmt::format("spheres would stick below more than {:g} of the impact speed, where a flow gathers into lumps", lumps_beyond)};
+  return {"adhesion", fmt::format("pull-off force over weight goes from {:.3g} to {:.3g}, and what that does has not been measured",
+                                  original.bond, there.bond)};
 }
 
 json groups_json(const ScaleGroups& groups) {
   json object = json::object();
   for (const auto& [name, value] : named_groups(groups)) object[name] = known_number(value);
   object["temperature"] = groups.temperature, object["impact_speed"] = groups.impact_speed;
+  object["overlap_under_load"] = groups.pressed_overlap, object["cooled"] = groups.cooled;
   object["contact_time"] = groups.contact_time, object["collision_rate"] = groups.collision_rate;
   return object;
 }
 
 json law_json(const LawAdvice& advice) {
   json errors = json::object();
-  for (const auto& [name, p] : advice.predictions)
-    errors[name] = {{"deviation", known_number(p.deviation.value)}, {"uncertainty", known_number(p.deviation.error)}};
+  for (const Expectation& each : advice.predictions)
+    errors[each.quantity] = {{"deviation", known_number(each.deviation.value)}, {"uncertainty", known_number(each.deviation.error)}};
   const Measured expected = advice.expected_error();
   return {{"law", advice.law},
           {"factor", advice.factor},
@@ -68,6 +83,7 @@ json law_json(const LawAdvice& advice) {
           {"speedup", known_number(advice.speedup)},
           {"limiting_mechanism", advice.limiting_mechanism},
           {"limit", advice.limit},
+          {"keeps", advice.keeps},
           {"warnings", advice.warnings},
           {"predictions", errors},
           {"groups", groups_json(advice.groups)}};
@@ -77,50 +93,45 @@ json law_json(const LawAdvice& advice) {
 
 double beyond(double factor, double end) { return end < 1 ? std::max(factor / a_little, end / a_little) : factor * a_little; }
 
-void describe_limit(LawAdvice& advice, const DeviationModel& model, const ScaleGroups& original, const ScaleGroups& there, double tolerance,
-                    double end) {
-  if (there.overlap > deep_overlap) {
-    advice.limiting_mechanism = "overlap";
-    advice.limit = fmt::format("overlaps would exceed {:g} of R*, more than the contact laws are meant for", deep_overlap);
+void describe_limit(LawAdvice& advice, const FlowKnowledge& knowledge, const ScaleGroups& original, const ScaleGroups& there,
+                    double tolerance, double end) {
+  if (auto [mechanism, limit] = broken_bound(knowledge, original, there, tolerance); !mechanism.empty()) {
+    advice.limiting_mechanism = std::move(mechanism), advice.limit = std::move(limit);
     return;
   }
-  if (beyond_model(there) > 0) {
-    advice.limiting_mechanism = "adhesion";
-    advice.limit =
-        fmt::format("spheres would stick below more than {:g} of the impact speed, where a flow gathers into lumps", lumps_beyond);
-    return;
-  }
-  const QuantityModel* worst = nullptr;
-  Prediction off{.deviation = {0, 0}};
+  Expectation worst;
   double most = -1;
-  for (const QuantityModel& quantity : model.quantities) {
-    const Prediction p = predict(quantity, original, there);
-    const double size = std::abs(p.deviation.value) + p.deviation.error;
-    if (size > most) most = size, worst = &quantity, off = p;
+  for (const Expectation& each : knowledge.expected(original, there)) {
+    if (with_error(each) > most) most = with_error(each), worst = each;
   }
   if (advice.factor == end || most <= tolerance) {
     advice.limiting_mechanism = "none";
     advice.limit = fmt::format("nothing up to {:g}, the farthest that was asked for", end);
     return;
   }
-  advice.limiting_mechanism = mechanism_of(off);
-  advice.limit =
-      fmt::format("{}: beyond it {} is expected to be off by {:+.1f} % ± {:.1f} %", reason_of(advice.limiting_mechanism, original, there),
-                  study_quantity(worst->quantity).what, 100 * off.deviation.value, 100 * off.deviation.error);
+  advice.limiting_mechanism = worst.mechanism;
+  advice.limit = fmt::format("{}: beyond it {} is expected to be off by {:+.1f} % ± {:.1f} %", reason_of(worst.mechanism, original, there),
+                             study_quantity(worst.quantity).what, 100 * worst.deviation.value, 100 * worst.deviation.error);
 }
 
-std::vector<std::string> warnings_of(const Input& scene, const DeviationModel& model, const ScaleGroups& original,
-                                     const ScaleGroups& scaled) {
-  std::vector<std::string> warnings;
+namespace {
+
+/// Where groups lie outside what the model was fitted to. Of a gas that cools, those of shear say nothing.
+void warn_of_ranges(std::vector<std::string>& warnings, const DeviationModel& model, const ScaleGroups& scaled) {
   for (const auto& [name, value] : named_groups(scaled)) {
     const auto at = model.ranges.find(name);
-    if (at == model.ranges.end() || !std::isfinite(value)) continue;
+    const bool of_shear = name == "collisional_share" || name == "inertial_number";
+    if (at == model.ranges.end() || !std::isfinite(value) || (of_shear && !scaled.sheared)) continue;
     const GroupRange& range = at->second;
     const double slack = range_margin - 1;
     if (value > range.largest + slack * std::abs(range.largest) || value < range.least - slack * std::abs(range.least))
       warnings.push_back(fmt::format("{} is {:.3g}, outside {:.3g} to {:.3g}, to which the prediction was fitted", name, value, range.least,
                                      range.largest));
   }
+}
+
+void warn_of_terms(std::vector<std::string>& warnings, const DeviationModel& model, const ScaleGroups& original,
+                   const ScaleGroups& scaled) {
   const Terms terms = terms_of(original, scaled);
   for (std::size_t i = 0; i < term_count; ++i) {
     const bool fitted = std::all_of(model.quantities.begin(), model.quantities.end(), [&](const QuantityModel& q) { return q.fitted[i]; });
@@ -128,15 +139,41 @@ std::vector<std::string> warnings_of(const Input& scene, const DeviationModel& m
       warnings.push_back(
           fmt::format("{} matters here, and no study that the prediction was fitted to shows how much", deviation_terms[i].mechanism));
   }
-  if (!original.sheared) warnings.emplace_back("nothing is sheared here, and the prediction was fitted to sheared flows");
-  if (scene.cell.kind != CellKind::shear && original.sheared)
-    warnings.emplace_back("the prediction was fitted to homogeneous shear; walls and their distance are not in it");
-  if (original.jammed)
+}
+
+}  // namespace
+
+std::vector<std::string> warnings_of(const Input& scene, const FlowKnowledge& knowledge, const ScaleGroups& original,
+                                     const ScaleGroups& scaled) {
+  std::vector<std::string> warnings;
+  switch (knowledge.regime) {
+    case FlowRegime::collisional:
+      warn_of_ranges(warnings, knowledge.model, scaled), warn_of_terms(warnings, knowledge.model, original, scaled);
+      if (scene.cell.kind != CellKind::shear)
+        warnings.emplace_back("the prediction was fitted to homogeneous shear; walls and their distance are not in it");
+      break;
+    case FlowRegime::cooling:
+      warnings.emplace_back(
+          "nothing is sheared here: what size does is Haff's law, and what contact time and adhesion do is what they do in sheared flows");
+      warn_of_ranges(warnings, knowledge.model, scaled), warn_of_terms(warnings, knowledge.model, original, scaled);
+      break;
+    case FlowRegime::pressed:
+      warnings.emplace_back(
+          "lasting contacts carry the pressure, and the prediction was fitted to collisions: a law is held to shear stress and volume fraction, by "
+          "inertial number, cohesion and overlap under the load; temperature and collision rate are not kept, and softer spheres were not measured");
+      if (original.bond > 0)
+        warnings.push_back(fmt::format(
+            "cohesion over pressure goes from {:.3g} to {:.3g}: its effect on the stress was measured at {:.2g}, twice and half of it",
+            original.bond, scaled.bond, knowledge.slope.at));
+      break;
+    case FlowRegime::resting:
+      warnings.emplace_back(
+          "nothing is sheared and gravity pulls: the prediction knows nothing of such a flow; a law is held to what the load does to its "
+          "contacts and to pull-off force over weight, and how it comes to rest is not looked at");
+      break;
+  }
+  if (original.jammed && knowledge.regime == FlowRegime::collisional)
     warnings.emplace_back("the volume fraction is that of a jammed packing, and the prediction is that of the densest flow");
-  if (original.bond > 0 && original.collisional_share < 0.5)
-    warnings.push_back(fmt::format(
-        "cohesion over pressure goes from {:.3g} to {:.3g}, which matters where contacts last; no study of that has been fitted",
-        original.bond, scaled.bond));
   return warnings;
 }
 

@@ -13,11 +13,11 @@ namespace scalebreak {
 [[nodiscard]] double beyond(double factor, double end);
 
 /// Puts in what ends the reach of a law, from the groups a little beyond it.
-void describe_limit(LawAdvice& advice, const DeviationModel& model, const ScaleGroups& original, const ScaleGroups& there, double tolerance,
-                    double end);
+void describe_limit(LawAdvice& advice, const FlowKnowledge& knowledge, const ScaleGroups& original, const ScaleGroups& there,
+                    double tolerance, double end);
 
-/// Where the scene is beyond what the model was fitted to, in sentences.
-[[nodiscard]] std::vector<std::string> warnings_of(const Input& scene, const DeviationModel& model, const ScaleGroups& original,
+/// Where the scene is beyond what is known, in sentences.
+[[nodiscard]] std::vector<std::string> warnings_of(const Input& scene, const FlowKnowledge& knowledge, const ScaleGroups& original,
                                                    const ScaleGroups& scaled);
 
 /// The object of `scalebreak advise --json`: the recommended law's, with all of them in `laws`.

@@ -30,7 +30,7 @@ const std::vector<std::string>& predicted_quantities() {
 
 double size_excess(const std::string& quantity) { return quantity == "collision_rate" ? 1 : 2; }
 
-double size_term(double excess, const ScaleGroups& scaled) { return excess * scaled.collisional_share * std::log(scaled.size); }
+double size_term(double excess, const ScaleGroups& scaled) { return excess * speed_growth(scaled); }
 
 Prediction predict(const QuantityModel& model, const ScaleGroups& original, const ScaleGroups& scaled) {
   const Terms terms = terms_of(original, scaled);

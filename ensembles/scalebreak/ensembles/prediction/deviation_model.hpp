@@ -31,7 +31,7 @@ inline constexpr std::size_t term_count = std::size(deviation_terms);
 using Terms = std::array<double, term_count>;
 [[nodiscard]] Terms terms_of(const ScaleGroups& original, const ScaleGroups& scaled);
 
-/// ln(value / claim) of a collisional flow of hard spheres that are l times larger: `size_excess` × c ln l, of the scaled flow.
+/// ln(value / claim) of a flow of hard spheres that are l times larger: `size_excess` × speed_growth, of the scaled flow.
 [[nodiscard]] double size_term(double size_excess, const ScaleGroups& scaled);
 /// Beyond this share of the impact speed that sticks, a flow gathers into lumps, of which no term knows.
 inline constexpr double lumps_beyond = 0.1;

@@ -154,6 +154,28 @@ Validation validate(const QuantityModel& model, const std::vector<TrainingRow>& 
   return result;
 }
 
+Validation together(const std::map<std::string, Validation>& validation) {
+  Validation all;
+  for (const auto& [name, v] : validation) {
+    all.rows += v.rows, all.off += v.off, all.within_factor += v.within_factor;
+    all.softened_off += v.softened_off, all.softened_within_factor += v.softened_within_factor;
+    all.rms += v.rms * v.rms * static_cast<double>(v.rows);
+    all.rms_over_error += v.rms_over_error * v.rms_over_error * static_cast<double>(v.rows);
+  }
+  const auto n = std::max(1.0, static_cast<double>(all.rows));
+  all.rms = std::sqrt(all.rms / n), all.rms_over_error = std::sqrt(all.rms_over_error / n);
+  return all;
+}
+
+std::map<std::string, Validation> test_on(const DeviationModel& model, const TrainingRows& unseen) {
+  std::vector<TrainingRow> rows;
+  std::copy_if(unseen.rows.begin(), unseen.rows.end(), std::back_inserter(rows),
+               [](const TrainingRow& row) { return beyond_model(row.scaled) <= 0; });
+  std::map<std::string, Validation> test;
+  for (const QuantityModel& quantity : model.quantities) test[quantity.quantity] = validate(quantity, rows);
+  return test;
+}
+
 std::map<std::string, double> named_groups(const ScaleGroups& g) {
   return {{"contact_time_x_collision_rate", g.busy},
           {"jamming_share", g.jamming_share},

@@ -35,6 +35,8 @@ inline constexpr double off_beyond = 0.03, off_errors = 2, good_factor = 1.5;
 [[nodiscard]] bool is_off(const Measured& deviation);
 [[nodiscard]] bool well_predicted(const Measured& predicted, const Measured& measured);
 [[nodiscard]] Validation validate(const QuantityModel& model, const std::vector<TrainingRow>& rows);
+/// Of all quantities together.
+[[nodiscard]] Validation together(const std::map<std::string, Validation>& validation);
 
 /// A group and the least and largest value that the fit has seen.
 struct GroupRange {
@@ -53,6 +55,9 @@ struct DeviationModel {
 
 /// The groups that ranges are kept of, by name.
 [[nodiscard]] std::map<std::string, double> named_groups(const ScaleGroups& groups);
+
+/// The model on studies that it was not fitted to, by quantity; rows beyond it (beyond_model) are left out.
+[[nodiscard]] std::map<std::string, Validation> test_on(const DeviationModel& model, const TrainingRows& unseen);
 
 /// Fits the rows that are not held back, without those beyond the model (beyond_model), and tests on the others. Throws WorkError.
 [[nodiscard]] DeviationModel fit_model(const TrainingRows& training, std::uint64_t seed);

@@ -27,6 +27,8 @@ json terms_json(const QuantityModel& model) {
   return terms;
 }
 
+}  // namespace
+
 json validation_json(const Validation& v) {
   return {{"rows", v.rows},
           {"rms", v.rms},
@@ -38,25 +40,16 @@ json validation_json(const Validation& v) {
           {"share_within_factor_1_5", v.off > 0 ? json(static_cast<double>(v.within_factor) / static_cast<double>(v.off)) : json()}};
 }
 
-}  // namespace
-
 json model_json(const DeviationModel& model) {
   json quantities = json::object(), ranges = json::object(), terms = json::object();
-  Validation all;
   for (const QuantityModel& q : model.quantities) {
     const Validation& v = model.validation.at(q.quantity);
     quantities[q.quantity] = {
         {"size_excess", size_excess(q.quantity)}, {"terms", terms_json(q)}, {"scatter", q.scatter}, {"held_back", validation_json(v)}};
-    all.rows += v.rows, all.off += v.off, all.within_factor += v.within_factor;
-    all.softened_off += v.softened_off, all.softened_within_factor += v.softened_within_factor;
-    all.rms += v.rms * v.rms * static_cast<double>(v.rows);
-    all.rms_over_error += v.rms_over_error * v.rms_over_error * static_cast<double>(v.rows);
   }
-  const auto n = std::max(1.0, static_cast<double>(all.rows));
-  all.rms = std::sqrt(all.rms / n), all.rms_over_error = std::sqrt(all.rms_over_error / n);
   for (const auto& [name, range] : model.ranges) ranges[name] = {range.least, range.largest};
   for (const DeviationTerm& term : deviation_terms) terms[term.name] = term.what;
-  json held_back = validation_json(all);
+  json held_back = validation_json(together(model.validation));
   held_back["cells_off"] = model.cells_off;
   return {{"format", format},
           {"version", version()},

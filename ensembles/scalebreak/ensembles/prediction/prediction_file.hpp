@@ -12,7 +12,10 @@ namespace scalebreak {
 /// cells held back, and the versions that ran the studies.
 [[nodiscard]] nlohmann::json model_json(const DeviationModel& model);
 
-/// The same back. Throws InputError, naming `place`, where something is missing or the terms are others.
+/// How a model does on rows that it was not fitted to.
+[[nodiscard]] nlohmann::json validation_json(const Validation& validation);
+
+/// The model back. Throws InputError, naming `place`, where something is missing or the terms are others.
 [[nodiscard]] DeviationModel model_from_json(const nlohmann::json& json, const std::string& place);
 
 /// The folder data/reference has the model that the program goes by.

@@ -20,13 +20,16 @@ const QuantityModel& model_of(const DeviationModel& model, const std::string& qu
   return model.quantities.front();
 }
 
-const char* part_of(const DeviationModel& model, const TrainingRow& row) {
+const char* part_of(const DeviationModel& model, const TrainingRow& row, RowsAre are) {
   if (beyond_model(row.scaled) > 0) return row.scaled.overlap > deep_overlap ? "too_deep" : "lumps";
-  return held_back(model.seed, row.key) ? "held_back" : "fitted";
+  if (are == RowsAre::fitted_to) return held_back(model.seed, row.key) ? "held_back" : "fitted";
+  return are == RowsAre::unseen ? "unseen" : "not_run";
 }
 
-/// Predicted over measured ratios value/claim of one quantity, or of all, held back and fitted apart.
-Plot plot_of(const DeviationModel& model, const std::string& quantity) {
+CsvCell known(double value) { return std::isfinite(value) ? CsvCell(value) : CsvCell(); }
+
+/// Predicted over measured ratios value/claim of one quantity, held back and fitted apart.
+Plot plot_of(const std::string& quantity, RowsAre are) {
   Plot plot{.name = "predicted_" + quantity,
             .title = fmt::format("{}: what the dimensionless groups say, over what was measured", study_quantity(quantity).what),
             .x_label = "measured value / claim",
@@ -34,30 +37,28 @@ Plot plot_of(const DeviationModel& model, const std::string& quantity) {
             .log_x = true,
             .log_y = true,
             .curves = {}};
-  const auto only = [&](const char* part) { return fmt::format("strcol(7) eq '{}' && strcol(6) eq '{}'", quantity, part); };
   plot.curves.push_back({.file = "prediction.csv", .x = "(1+$8)", .y = "(1+$8)", .title = "as measured"});
-  plot.curves.push_back({.file = "prediction.csv",
-                         .x = "(1+$8)",
-                         .y = "(1+$10)",
-                         .title = fmt::format("held back, {} cells", model.validation.at(quantity).rows),
-                         .points = true,
-                         .style = 1,
-                         .only = only("held_back"),
-                         .error = "(sqrt($9**2+$11**2))"});
-  plot.curves.push_back({.file = "prediction.csv",
-                         .x = "(1+$8)",
-                         .y = "(1+$10)",
-                         .title = "fitted",
-                         .points = true,
-                         .style = 2,
-                         .only = only("fitted"),
-                         .error = "(sqrt($9**2+$11**2))"});
+  const auto points = [&](const char* part, const char* title, int style) {
+    plot.curves.push_back({.file = "prediction.csv",
+                           .x = "(1+$8)",
+                           .y = "(1+$10)",
+                           .title = title,
+                           .points = true,
+                           .style = style,
+                           .only = fmt::format("strcol(7) eq '{}' && strcol(6) eq '{}'", quantity, part),
+                           .error = "(sqrt($9**2+$11**2))"});
+  };
+  if (are == RowsAre::unseen) {
+    points("unseen", "not seen by the fit", 1);
+  } else {
+    points("held_back", "held back", 1), points("fitted", "fitted", 2);
+  }
   return plot;
 }
 
 }  // namespace
 
-Csv prediction_csv(const DeviationModel& model, const TrainingRows& training) {
+Csv prediction_csv(const DeviationModel& model, const TrainingRows& training, RowsAre are) {
   std::vector<std::string> header = {"study",
                                      "law",
                                      "factor [-]",
@@ -80,10 +81,10 @@ Csv prediction_csv(const DeviationModel& model, const TrainingRows& training) {
                                   row.factor,
                                   row.point,
                                   fmt::format("{:016x}", row.key),
-                                  std::string(part_of(model, row)),
+                                  std::string(part_of(model, row, are)),
                                   row.quantity,
-                                  row.deviation.value,
-                                  row.deviation.error,
+                                  known(row.deviation.value),
+                                  known(row.deviation.error),
                                   predicted.value,
                                   predicted.error};
     for (const ScaleGroups* groups : {&row.scaled, &row.original}) {
@@ -94,27 +95,42 @@ Csv prediction_csv(const DeviationModel& model, const TrainingRows& training) {
   return csv;
 }
 
-std::vector<std::string> sentences(const DeviationModel& model) {
+std::vector<std::string> sentences(const std::map<std::string, Validation>& validation) {
   std::vector<std::string> list;
-  for (const QuantityModel& q : model.quantities) {
-    const Validation& v = model.validation.at(q.quantity);
+  const auto add = [&](const std::string& what, const Validation& v) {
     list.push_back(fmt::format(
-        "{}: {} rows held back, off by {:.1f} % rms, {:.2f} of the errors; within a factor 1.5 are {} of {} that deviate by more "
+        "{}: {} rows that were not fitted, off by {:.1f} % rms, {:.2f} of the errors; within a factor 1.5 are {} of {} that deviate by more "
         "than 3 %, {} of {} without the enlarged",
-        study_quantity(q.quantity).what, v.rows, 100 * v.rms, v.rms_over_error, v.within_factor, v.off, v.softened_within_factor,
-        v.softened_off));
-  }
-  list.push_back(
-      fmt::format("{} rows fitted, {} held back, {} cells of these deviate", model.rows_fitted, model.rows_held_back, model.cells_off));
+        what, v.rows, 100 * v.rms, v.rms_over_error, v.within_factor, v.off, v.softened_within_factor, v.softened_off));
+  };
+  for (const auto& [quantity, v] : validation) add(study_quantity(quantity).what, v);
+  add("all together", together(validation));
   return list;
 }
 
-std::vector<std::string> write_prediction(const DeviationModel& model, const TrainingRows& training, const std::filesystem::path& out) {
-  write_file(out / "prediction.json", model_json(model).dump(1) + "\n");
-  write_file(out / "prediction.csv", prediction_csv(model, training).text());
+std::vector<std::string> forecast_sentences(const DeviationModel& model, const TrainingRows& forecast) {
+  std::vector<std::string> list;
+  std::uint64_t cell = 0;
+  for (const TrainingRow& row : forecast.rows) {
+    if (list.empty() || row.key != cell) {
+      list.push_back(fmt::format("{} at {:g}{}{}: ", row.law, row.factor, row.point.empty() ? "" : ", ", row.point));
+      if (beyond_model(row.scaled) > 0) list.back() += fmt::format("beyond the model ({}): ", part_of(model, row, RowsAre::not_run));
+    } else {
+      list.back() += ", ";
+    }
+    cell = row.key;
+    const Measured off = predict(model_of(model, row.quantity), row.original, row.scaled).deviation;
+    list.back() += fmt::format("{} {:+.1f} % ± {:.1f} %", study_quantity(row.quantity).what, 100 * off.value, 100 * off.error);
+  }
+  return list;
+}
+
+std::vector<std::string> write_rows(const DeviationModel& model, const TrainingRows& rows, RowsAre are, const std::filesystem::path& out) {
+  write_file(out / "prediction.csv", prediction_csv(model, rows, are).text());
   std::vector<std::string> missing;
+  if (are == RowsAre::not_run) return missing;
   for (const QuantityModel& q : model.quantities) {
-    const Plot plot = plot_of(model, q.quantity);
+    const Plot plot = plot_of(q.quantity, are);
     if (!draw(plot, out)) missing.push_back(plot.name);
   }
   return missing;

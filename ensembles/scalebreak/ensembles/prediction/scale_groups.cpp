@@ -37,6 +37,7 @@ void measure_spheres(const Input& input, FlowConditions& conditions) {
   conditions.diameter = std::cbrt(6 * conditions.volume_fraction * volume / (pi * count));
   conditions.length = size.minCoeff();
   conditions.shear_rate = std::abs(mean_shear_rate(input.cell, size.z()));
+  conditions.length_along_gravity = size.dot(input.cell.gravity.cwiseAbs()) / std::max(conditions.gravity, 1e-300);
   conditions.speed = std::max({conditions.speed, input.particles.speed, std::sqrt(2 * input.cell.gravity.cwiseAbs().dot(size))});
 }
 
@@ -63,6 +64,19 @@ Gas gas_of(const Input& input, const FlowConditions& c, double size) {
   return gas;
 }
 
+FlowRegime regime_of(const FlowConditions& c, const ScaleGroups& groups) {
+  if (groups.sheared) return groups.collisional_share < 0.5 ? FlowRegime::pressed : FlowRegime::collisional;
+  return c.gravity > 0 ? FlowRegime::resting : FlowRegime::cooling;
+}
+
+/// Overlap over R* of a contact that carries a force, without adhesion: Hertz's, or that of a linear spring.
+double overlap_under(const ScaledContact& contact, double force) {
+  const NormalPair& pair = contact.scaled().pair;
+  const double own = force / contact.scaled().force;  // that of the evaluated pair
+  if (contact.kind().normal == NormalModel::linear) return own / pair.spring_constant / pair.radius;
+  return std::pow(0.75 * own / (pair.young * pair.radius * pair.radius), 2.0 / 3);
+}
+
 /// Of the scaled pair of spheres [N].
 double pull_off_force(const ScaledContact& contact) {
   const NormalPair& pair = contact.scaled().pair;
@@ -76,6 +90,7 @@ FlowConditions flow_conditions(const Input& input) {
     throw InputError("a pair or bodies are no flow, of which contact time and collision rate could be compared; allowed: a flow");
   FlowConditions conditions{.density = input.material.density, .pressure = input.cell.pressure, .gravity = input.cell.gravity.norm()};
   measure_spheres(input, conditions);
+  conditions.time = input.run.warmup_duration + input.run.duration;
   if (input.advise.speed > 0) conditions.speed = input.advise.speed, conditions.speed_is_told = true;
   return conditions;
 }
@@ -83,7 +98,7 @@ FlowConditions flow_conditions(const Input& input) {
 ScaleGroups scale_groups(const Input& input) {
   const ScalingLaw& law = *find_scaling_law(input.scaling_law);
   const FlowConditions c = flow_conditions(input);
-  ScaleGroups groups{.size = size_of(input), .sheared = c.shear_rate > 0};
+  ScaleGroups groups{.size = size_of(input)};
   if (law.direct_force && groups.size > 1) groups.torque_lack = law.force + 1 - law.torque;
   const Gas gas = gas_of(input, c, groups.size);
   groups.jammed = gas.jammed, groups.temperature = gas.temperature, groups.jamming_share = gas.jamming_share;
@@ -92,12 +107,12 @@ ScaleGroups scale_groups(const Input& input) {
   const double radius = c.diameter / groups.size / 2;
   const ScaledContact contact(input.contact, {input.material, input.material, input.wall, {radius, radius}}, law, input.scaling_factor);
   const double sticking = contact.sticking_speed(collision_tolerance).value_or(0);
-  groups.impact_over_sticking = sticking > 0 ? groups.impact_speed / sticking : std::numeric_limits<double>::infinity();
   const double speed = std::max(groups.impact_speed, above_sticking * sticking * (groups.impact_speed <= sticking ? 1.0 : 0.0));
   if (speed > 0) {
     const PairCollision collision = contact.collide(speed, collision_tolerance);
     groups.contact_time = collision.contact_time.value_or(0), groups.overlap = 2 * collision.max_overlap / (c.diameter / 2);
   }
+  groups.sheared = c.shear_rate > 0;
   groups.busy = groups.contact_time * groups.collision_rate;
   const double gas_pressure = collisional_pressure(c.density, gas.volume_fraction, gas.contact_value, gas.restitution, gas.temperature);
   const double pressure = c.pressure > 0 ? c.pressure : groups.sheared ? gas_pressure : 0;
@@ -106,7 +121,20 @@ ScaleGroups scale_groups(const Input& input) {
   if (pressure > 0) groups.inertial_number = c.shear_rate * c.diameter * std::sqrt(c.density / pressure);
   groups.length_ratio = c.diameter / c.length;
   groups.collisional_share = !groups.sheared ? 0 : c.pressure > 0 ? std::min(1.0, gas_pressure / c.pressure) : 1;
+  groups.regime = regime_of(c, groups);
+  if (groups.regime == FlowRegime::cooling)  // Haff 1983: each collision takes (1 − e²) m T of the energy
+    groups.cooled = (1 - gas.restitution * gas.restitution) / 6 * groups.collision_rate * c.time;
+  groups.impact_over_sticking =
+      sticking > 0 ? groups.impact_speed / (1 + groups.cooled) / sticking : std::numeric_limits<double>::infinity();
+  const double above = c.density * c.volume_fraction * c.gravity * c.length_along_gravity;
+  const double pressing = groups.regime == FlowRegime::resting ? above : c.pressure;
+  if (pressing > 0) groups.pressed_overlap = overlap_under(contact, pressing * c.diameter * c.diameter);
   return groups;
+}
+
+double speed_growth(const ScaleGroups& scaled) {
+  const double cooled = scaled.cooled;
+  return cooled > 0 ? std::log((1 + scaled.size * cooled) / (1 + cooled)) : scaled.collisional_share * std::log(scaled.size);
 }
 
 Input original_of(Input input) {

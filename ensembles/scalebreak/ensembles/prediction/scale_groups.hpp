@@ -13,12 +13,22 @@ struct FlowConditions {
   double volume_fraction = 0;  ///< solids over the cell
   double shear_rate = 0;       ///< mean [1/s]; 0: the flow is not sheared
   double speed = 0;  ///< root mean square about the mean flow that is known: of the start, of what it falls through, or advise.speed [m/s]
-  bool speed_is_told = false;  ///< by advise.speed: then kinetic theory is not asked
-  double pressure = 0;         ///< that is imposed [Pa]; 0: none
-  double gravity = 0;          ///< [m/s²]
-  double length = 0;           ///< the shortest edge of the cell [m]
+  bool speed_is_told = false;       ///< by advise.speed: then kinetic theory is not asked
+  double pressure = 0;              ///< that is imposed [Pa]; 0: none
+  double gravity = 0;               ///< [m/s²]
+  double length = 0;                ///< the shortest edge of the cell [m]
+  double length_along_gravity = 0;  ///< [m]
+  double time = 0;                  ///< of the run, where it is told as a time [s]
 };
 [[nodiscard]] FlowConditions flow_conditions(const Input& input);
+
+/// What carries a flow, which decides what is known of it.
+enum class FlowRegime {
+  collisional,  ///< sheared, and collisions carry the pressure: what the prediction is fitted to
+  pressed,      ///< sheared under a pressure that lasting contacts carry
+  cooling,      ///< neither sheared nor pulled down
+  resting,      ///< pulled down by gravity, not sheared
+};
 
 /// The dimensionless numbers of a flow under the scaling law of its input, by which laws break, all known before it runs.
 struct ScaleGroups {
@@ -31,11 +41,15 @@ struct ScaleGroups {
   double collision_rate = 0;  ///< of a sphere [1/s]
   double busy = 0;            ///< contact time × collision rate: how far from binary
   double jamming_share = 0;   ///< of how often spheres meet, what comes from being near jamming
-  double impact_over_sticking = 0;  ///< impact speed / sticking speed; infinite where nothing can stick
+  double impact_over_sticking = 0;  ///< impact speed / sticking speed; infinite where nothing can stick; of a cooling gas at the end
   double bond = 0;               ///< pull-off force over pressure × d², or over weight where nothing presses; 0: no adhesion, or neither
   double inertial_number = 0;    ///< γ̇ d √(ρ/pressure); 0: no shear
   double length_ratio = 0;       ///< diameter over the cell's shortest edge
   double collisional_share = 0;  ///< of the pressure: 1 in shear at constant volume, 0 where nothing is sheared
+  FlowRegime regime = FlowRegime::collisional;
+  double cooled = 0;  ///< of a cooling gas, the time of its run over Haff's: its speeds end at 1/(1 + cooled) of those at the start
+  double pressed_overlap =
+      0;  ///< of a contact that carries pressure × d², over R*; the pressure is the imposed one, or that of the weight above
   bool sheared = false;
   bool jammed = false;  ///< the volume fraction is beyond what flows: numbers are those of the densest flow
 };
@@ -45,6 +59,10 @@ struct ScaleGroups {
 
 /// The densest flow that theory is asked for is so far below jamming.
 inline constexpr double below_jamming = 0.005;
+
+/// By how much the spheres of the scaled flow are faster than the original's because they are larger, as a logarithm: of a sheared flow of collisions
+/// speeds are γ̇d times numbers, and a gas cools by Haff's law, speed/(1 + cooled), with a time that grows with the mean free path, as l.
+[[nodiscard]] double speed_growth(const ScaleGroups& scaled);
 
 /// The same scene without a scaling law.
 [[nodiscard]] Input original_of(Input input);

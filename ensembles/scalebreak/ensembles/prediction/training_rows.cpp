@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 #include <fmt/format.h>
@@ -39,7 +40,44 @@ std::size_t cell_of(const StudyGrid& grid, const CsvTable& csv, std::size_t row)
   return found;
 }
 
+/// The groups of a study's cells, each found once.
+class GroupsOf {
+ public:
+  explicit GroupsOf(const StudyGrid& grid) : grid_(grid) {}
+  const ScaleGroups& operator()(std::size_t cell) {
+    const auto at = known_.find(cell);
+    return at != known_.end() ? at->second : known_.emplace(cell, scale_groups(grid_.cells[cell].input)).first->second;
+  }
+
+ private:
+  const StudyGrid& grid_;
+  std::map<std::size_t, ScaleGroups> known_;
+};
+
 }  // namespace
+
+TrainingRows forecast_rows(const Input& input, const std::string& name) {
+  const StudyGrid grid = study_grid(input);
+  GroupsOf groups(grid);
+  TrainingRows forecast;
+  for (std::size_t i = 0; i < grid.cells.size(); ++i) {
+    const StudyCell& cell = grid.cells[i];
+    if (cell.original()) continue;
+    for (const std::string& quantity : predicted_quantities()) {
+      forecast.rows.push_back({.study = name,
+                               .law = cell.law,
+                               .point = cell.point.name(input.study.parameter),
+                               .factor = cell.factor,
+                               .key = cell.key,
+                               .quantity = quantity,
+                               .original = groups(grid.original_of(i)),
+                               .scaled = groups(i),
+                               .deviation = {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()},
+                               .version = ""});
+    }
+  }
+  return forecast;
+}
 
 void add_study(TrainingRows& to, const std::filesystem::path& folder) {
   const std::filesystem::path input_path = folder / "input.toml", csv_path = folder / "study.csv";
@@ -52,11 +90,7 @@ void add_study(TrainingRows& to, const std::filesystem::path& folder) {
   const CsvTable csv = read_csv(csv_path);
   const StudyGrid grid = study_grid(input);
   const std::string name = std::filesystem::absolute(folder / ".").lexically_normal().parent_path().filename().string();
-  std::map<std::size_t, ScaleGroups> known;
-  const auto groups = [&](std::size_t cell) -> const ScaleGroups& {
-    const auto at = known.find(cell);
-    return at != known.end() ? at->second : known.emplace(cell, scale_groups(grid.cells[cell].input)).first->second;
-  };
+  GroupsOf groups(grid);
   for (std::size_t row = 0; row < csv.rows(); ++row) {
     const std::string& quantity = csv.word(row, "quantity");
     const auto& predicted = predicted_quantities();

@@ -7,6 +7,7 @@
 
 #include <scalebreak/ensembles/prediction/scale_groups.hpp>
 #include <scalebreak/measure/flow_result.hpp>
+#include <scalebreak/scene/input.hpp>
 
 namespace scalebreak {
 
@@ -18,7 +19,7 @@ struct TrainingRow {
   std::uint64_t key = 0;  ///< of the cell
   std::string quantity;
   ScaleGroups original, scaled;
-  Measured deviation;   ///< value / claim − 1
+  Measured deviation;   ///< value / claim − 1; NaN where it has not been measured
   std::string version;  ///< of the program that ran it
 };
 
@@ -30,5 +31,8 @@ struct TrainingRows {
 /// Adds the rows of a study's folder: its study.csv, and input.toml, from which the groups of each cell follow. Throws InputError, with file and line, where the
 /// two do not go together.
 void add_study(TrainingRows& to, const std::filesystem::path& folder);
+
+/// The rows that the study of an input would have, before it runs. Throws InputError where it is no study.
+[[nodiscard]] TrainingRows forecast_rows(const Input& input, const std::string& name);
 
 }  // namespace scalebreak
