@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <scalebreak/base/error.hpp>
+#include <scalebreak/ensembles/breakdown/engine_agreement.hpp>
 #include <scalebreak/ensembles/breakdown/run_study.hpp>
 #include <scalebreak/ensembles/breakdown/study_files.hpp>
 #include <scalebreak/ensembles/breakdown/study_report.hpp>
@@ -29,6 +30,7 @@ void print(const StudyResult& study, const std::string& parameter) {
   }
   fmt::print("\n");
   for (const std::string& each : law_digest(study, parameter)) fmt::print("{}\n", each);
+  for (const EngineAgreement& each : engine_agreements(study)) fmt::print("{}\n", sentence(each));
 }
 
 void run(const Options& options) {
