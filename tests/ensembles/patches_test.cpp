@@ -110,6 +110,40 @@ TEST(Patches, OfSpheresThatComeToRestKeepTheirEnergyAccount) {
   EXPECT_GT(hybrid.flow.totals().dissipated, 0.3 * before);
 }
 
+/// Pairs that touch and come together, in a row of these gaps.
+System row_of_pairs(const std::vector<double>& speeds, const std::vector<double>& gaps) {
+  constexpr double overlap = 1e-9;
+  std::vector<Vector3d> positions, velocities;
+  double x = 0.01;
+  for (std::size_t k = 0; k < speeds.size(); ++k) {
+    if (k > 0) x += 2 * radius + gaps[k - 1];
+    positions.emplace_back(x, edge / 2, edge / 2), velocities.push_back(speeds[k] / 2 * Vector3d::UnitX());
+    x += 2 * radius - overlap;
+    positions.emplace_back(x, edge / 2, edge / 2), velocities.push_back(-speeds[k] / 2 * Vector3d::UnitX());
+  }
+  System system = spheres_at(positions, velocities);
+  for (std::int32_t k = 0; k < static_cast<std::int32_t>(speeds.size()); ++k)
+    system.contacts.push_back({.first = 2 * k, .second = 2 * k + 1});
+  return system;
+}
+
+// All at one instant: the second pair reaches the first, whose haste makes the stretch so short that they part again; the third reaches the second,
+// and together they could go on as long as before, reach the first again, and so on.
+TEST(Patches, ThatPartAtOneInstantDoNotMeetAgainInIt) {
+  const Input input = flow_of("normal = \"hertz\"\ntangential = \"none\"");
+  const double fast = 1, slow = 0.05, time = 1e-4;
+  const double longest = 32 * groups_setup(input).step, shortest = longest / 8;
+  // What a pair may do in a stretch is its speed times that.
+  const double reached_by_long = slow * longest + fast * shortest, reached_by_short = (slow + fast) * shortest;
+  const System start = row_of_pairs({fast, slow, slow}, {(reached_by_long + reached_by_short) / 2, 0.8 * slow * longest});
+  Hybrid hybrid(start, input, store());
+  EXPECT_EQ(hybrid.flow.patched(), 6u);
+  EXPECT_EQ(hybrid.flow.totals().patches, 3 + 2);  // those that were handed over, and two meetings
+  hybrid.flow.advance_to(time);
+  EXPECT_EQ(hybrid.flow.patched(), 0u);
+  EXPECT_LT(deviation(hybrid.flow.system(), exactly(start, input, time), fast), 1e-3);
+}
+
 TEST(Patches, OfSpheresThatStickStayTogether) {
   const Input input = flow_of("normal = \"jkr\"\ntangential = \"none\"");
   const Vector3d first = Vector3d::Constant(0.02);
