@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <scalebreak/base/error.hpp>
+#include <scalebreak/ensembles/breakdown/engine_agreement.hpp>
 #include <scalebreak/ensembles/breakdown/run_study.hpp>
 #include <scalebreak/ensembles/breakdown/study_files.hpp>
 #include <scalebreak/ensembles/breakdown/study_report.hpp>
@@ -27,6 +28,7 @@ void print(const StudyResult& study, const std::string& parameter) {
                  study.cells[i].failure);
   }
   for (const std::string& each : law_digest(study, parameter)) fmt::print("{}\n", each);
+  for (const EngineAgreement& each : engine_agreements(study)) fmt::print("{}\n", sentence(each));
   fmt::print("\nwhere each law breaks:\n");
   for (const LawReach& reach : law_reaches(study)) fmt::print("{}\n", sentence(reach, parameter));
 }

@@ -1,13 +1,17 @@
+#include <array>
 #include <cmath>
+#include <random>
 #include <set>
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
+#include <scalebreak/ensembles/breakdown/engine_agreement.hpp>
 #include <scalebreak/ensembles/breakdown/run_study.hpp>
 #include <scalebreak/ensembles/breakdown/study_files.hpp>
 #include <scalebreak/ensembles/breakdown/study_quantities.hpp>
 #include <scalebreak/ensembles/breakdown/verdicts.hpp>
+#include <scalebreak/statistics/pooled_mean.hpp>
 
 #include <ensembles/flows.hpp>
 
@@ -182,6 +186,67 @@ TEST(Study, ComparesWithWhatALawClaimsOfTheOriginal) {
   EXPECT_NEAR(deviation("pressure").value, 0, 1e-12);
   EXPECT_NEAR(deviation("pressure").error, std::hypot(0.01, 0.01), 1e-12);
   for (const Comparison& c : study.cells[1].deviations) EXPECT_NEAR(c.relative.value, 0, 1e-12);  // rps keeps all
+}
+
+/// A study whose two engines measured these temperatures in runs of each of its flows.
+StudyResult study_of_engines(const std::vector<std::array<Measured, 2>>& flows, std::size_t runs) {
+  StudyResult study{.grid = {}, .cells = {}};
+  for (std::size_t i = 0; i < flows.size(); ++i) {
+    for (const std::size_t engine : {0, 1}) {
+      const char* name = engine == 0 ? "hybrid" : "dem";
+      study.grid.cells.push_back({.law = "rps",
+                                  .factor = 1 / (1.0 + static_cast<double>(i)),
+                                  .asked = name,
+                                  .choice = {.engine = name, .reason = ""},
+                                  .input = {}});
+      study.cells.push_back({.cell = 2 * i + engine, .replicas = runs});
+      study.cells.back().quantities = {{"temperature", "m2/s2", flows[i][engine]}};
+    }
+  }
+  return study;
+}
+
+TEST(EngineAgreement, AddsUpSquaredDifferencesOfTheSameFlows) {
+  // One run each, whose errors are known: 2 and 1 standard errors apart.
+  const auto agreements = engine_agreements(study_of_engines({{{{1, 0.03}, {1.1, 0.04}}}, {{{2, 0.3}, {1.5, 0.4}}}}, 1));
+  ASSERT_EQ(agreements.size(), 1u);
+  const EngineAgreement& hybrid_dem = agreements.front();
+  EXPECT_EQ(hybrid_dem.first, "hybrid");
+  EXPECT_EQ(hybrid_dem.second, "dem");
+  ASSERT_EQ(hybrid_dem.quantities.size(), 1u);
+  EXPECT_EQ(hybrid_dem.all.flows, 2);
+  EXPECT_NEAR(hybrid_dem.all.squares, 5, 1e-12);
+  EXPECT_NEAR(hybrid_dem.all.chance, std::exp(-5 / 2.0), 1e-12);  // χ² of two degrees of freedom
+  EXPECT_NEAR(hybrid_dem.farthest->relative.value, 0.1, 1e-12);
+  EXPECT_THAT(sentence(hybrid_dem), HasSubstr("hybrid and dem on 2 flows"));
+  EXPECT_THAT(sentence(hybrid_dem), HasSubstr("least likely is granular temperature by +10.0 % ± 5.2 %"));
+}
+
+TEST(EngineAgreement, IsAChiSquareHoweverFewTheRuns) {
+  // Two engines that do the same, four runs a flow: how often is noise rarer than one in ten, and one in a hundred?
+  std::mt19937 random(1);
+  std::normal_distribution<double> noise;
+  int tenth = 0, hundredth = 0;
+  constexpr int studies = 2000;
+  for (int s = 0; s < studies; ++s) {
+    std::vector<std::array<Measured, 2>> flows(12);
+    for (auto& flow : flows) {
+      for (Measured& mean : flow) {
+        std::vector<Measured> runs(4);
+        for (Measured& run : runs) run = {10 + noise(random), 0.5};
+        mean = pooled_mean(runs);
+      }
+    }
+    const double chance = engine_agreements(study_of_engines(flows, 4)).front().all.chance;
+    tenth += chance < 0.1, hundredth += chance < 0.01;
+  }
+  EXPECT_NEAR(tenth, 0.1 * studies, 3 * std::sqrt(0.09 * studies));
+  EXPECT_NEAR(hundredth, 0.01 * studies, 3 * std::sqrt(0.01 * studies));
+}
+
+TEST(EngineAgreement, IsOfNothingWhereOneEngineRunsAll) {
+  const TemporaryFolder folder;
+  EXPECT_TRUE(engine_agreements(study_of(resolved(small_study), folder)).empty());
 }
 
 Comparison off_by(const std::string& name, double relative, double error) {

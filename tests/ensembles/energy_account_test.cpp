@@ -1,4 +1,5 @@
 #include <cmath>
+#include <list>
 
 #include <gmock/gmock.h>
 
@@ -71,6 +72,28 @@ TEST(EnergyDrift, IsMissingWithAReasonWhereTheAccountIsOpen) {
   FlowRun run(resolved(elastic, {"material.restitution=0.9", "run.duration=0.002"}), 0, 1, nullptr, "dem");
   while (!run.done()) run.advance();
   EXPECT_TRUE(std::isnan(value_of(run.measurement().result(), "energy_drift")));
+}
+
+/// To its end by the hybrid.
+FlowRun hybrid_run(const std::vector<std::string>& settings) {
+  static const TemporaryFolder folder;
+  const TableStore tables{.folder = folder.path()};
+  static std::list<Input> inputs;  // an engine keeps a reference
+  FlowRun run(inputs.emplace_back(resolved(elastic, settings)), 0, 1, &tables, "hybrid");
+  while (!run.done()) run.advance();
+  return run;
+}
+
+TEST(EnergyDrift, OfTheHybridIsKnownWhileNoSoftSpheresRunTheWholeFlow) {
+  const std::vector<std::string> rough = {"material.restitution=0.9", "contact.tangential=mindlin", "material.young=1e9"};
+  const FlowRun stiff = hybrid_run(rough);
+  EXPECT_GT(stiff.record().patches.value().contact_starts, 10);
+  EXPECT_LT(std::abs(value_of(stiff.measurement().result(), "energy_drift")), 1e-10);
+  EXPECT_GT(value_of(stiff.measurement().result(), "dissipation"), 0);
+
+  const FlowRun soft = hybrid_run({"material.young=1e5", "particles.volume_fraction=0.55"});
+  EXPECT_GE(soft.record().handovers, 1);
+  EXPECT_TRUE(std::isnan(value_of(soft.measurement().result(), "energy_drift")));
 }
 
 }  // namespace

@@ -19,6 +19,8 @@ struct Sample {
   double work = 0;            ///< total, done on the spheres by walls and gravity, not by homogeneous shear [J]
   double elastic_energy = 0;  ///< of all contacts, now [J]
 
+  /// Of contacts that are told without them the stress is from `contact_moment`, and that of the slabs is not known.
+  bool forces_known = true;
   std::optional<double> shear_work;    ///< total, by homogeneous shear, −γ̇ ∫P_xz dt V [J]; else from the stress at samples
   std::optional<double> dissipated;    ///< total, taken by the laws [J]; without it there is no energy drift
   std::optional<double> contact_time;  ///< total over contacts, of a sphere at a wall ½ [s]; else from contacts at samples

@@ -23,6 +23,13 @@ double scatter_error(double variance, double n) {
 
 }  // namespace
 
+bool from_scatter_alone(std::size_t runs) { return runs >= enough_runs; }
+
+double scatter_factor(std::size_t runs) {
+  const auto n = static_cast<double>(runs);
+  return from_scatter_alone(runs) ? scatter_error(n, n) : 1.0;
+}
+
 Measured pooled_mean(const std::vector<Measured>& runs) {
   std::vector<Measured> known;
   std::copy_if(runs.begin(), runs.end(), std::back_inserter(known), [](const Measured& run) { return std::isfinite(run.value); });
@@ -35,7 +42,7 @@ Measured pooled_mean(const std::vector<Measured>& runs) {
   for (const Measured& run : known) squares += (run.value - mean) * (run.value - mean);
   const double among = squares / (n - 1), within = own / n;
   const double own_freedom = n * (independent_stretches_needed - 1);
-  if (known.size() >= enough_runs || !(within > 0)) return {mean, scatter_error(among, n)};
+  if (from_scatter_alone(known.size()) || !(within > 0)) return {mean, scatter_error(among, n)};
   const boost::math::fisher_f alike(n - 1, own_freedom);
   if (among / within > boost::math::quantile(complement(alike, alike_unless))) return {mean, scatter_error(among, n)};
   return {mean, std::sqrt(((n - 1) * among + own_freedom * within) / (n - 1 + own_freedom) / n)};

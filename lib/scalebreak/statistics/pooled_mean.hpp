@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include <scalebreak/statistics/standard_error.hpp>
@@ -14,5 +15,10 @@ namespace scalebreak {
 /// degrees of freedom, unless the runs scatter more than their own errors allow (F test, 1 %) or one has none. A run's own error misses what
 /// changes as slowly as the run is long. Runs without a value are left out; NaN where there is nothing to tell.
 [[nodiscard]] Measured pooled_mean(const std::vector<Measured>& runs);
+
+/// Is the error of a mean over so many runs from their scatter alone?
+[[nodiscard]] bool from_scatter_alone(std::size_t runs);
+/// How much larger than the scatter says the error then is, as Student's t is wider; else 1.
+[[nodiscard]] double scatter_factor(std::size_t runs);
 
 }  // namespace scalebreak

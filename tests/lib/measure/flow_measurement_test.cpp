@@ -55,6 +55,22 @@ TEST(FlowMeasurement, EnergyDriftIsWhatTheAccountLeavesOverPerCollision) {
   EXPECT_NEAR(found(measurement.result(), "energy_drift").value, 0.01 / 10, 1e-15);
 }
 
+TEST(FlowMeasurement, OfContactsWithoutForcesCountsThemAndLeavesOutTheStressOfSlabs) {
+  System system;
+  system.cell = periodic_cell(1, 1, 1);
+  for (const double x : {0.2, 0.22, 0.24}) add_sphere(system, {x, 0.5, 0.5});
+  const std::vector<ContactForce> row = {{.first = 0, .second = 1}, {.first = 1, .second = 2}};
+  FlowMeasurement measurement(1);
+  for (const double moment : {0.0, 6.0}) {
+    const Eigen::Matrix3d total = moment * Eigen::Matrix3d::Identity();
+    measurement.add({.system = system, .contacts = row, .forces_known = false, .contact_moment = total});
+    system.time += 2;
+  }
+  EXPECT_DOUBLE_EQ(found(measurement.result(), "multi_contact_fraction").value, 1.0 / 3);
+  EXPECT_DOUBLE_EQ(found(measurement.result(), "pressure").value, 3);
+  EXPECT_TRUE(std::isnan(profile_of(measurement.result(), "stress_xx")[0].value));
+}
+
 TEST(FlowMeasurement, RunningTotalsOfAnEngineReplaceItsSamples) {
   Cell cell = periodic_cell(1, 1, 1);
   cell.shear_rate = 10;

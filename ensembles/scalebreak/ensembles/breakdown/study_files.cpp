@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include <scalebreak/ensembles/breakdown/engine_agreement.hpp>
 #include <scalebreak/ensembles/breakdown/verdicts.hpp>
 #include <scalebreak/output/known.hpp>
 
@@ -58,6 +59,20 @@ json cell_json(const StudyCell& of, const CellResult& cell) {
           {"quantities", quantities_json(cell)}};
 }
 
+json agreement_json(const QuantityAgreement& q) {
+  return {{"flows", q.flows}, {"squares", number(q.squares)}, {"probability", number(q.chance)}};
+}
+
+json agreement_json(const EngineAgreement& agreement) {
+  json quantities = json::object();
+  for (const QuantityAgreement& q : agreement.quantities) quantities[q.name] = agreement_json(q);
+  return {{"first", agreement.first},
+          {"second", agreement.second},
+          {"quantities", quantities},
+          {"all", agreement_json(agreement.all)},
+          {"sentence", sentence(agreement)}};
+}
+
 }  // namespace
 
 Csv study_csv(const StudyResult& study, const std::string& parameter) {
@@ -105,7 +120,7 @@ Csv study_csv(const StudyResult& study, const std::string& parameter) {
 }
 
 json study_json(const StudyResult& study, const std::string& parameter) {
-  json cells = json::array(), reaches = json::array();
+  json cells = json::array(), reaches = json::array(), agreements = json::array();
   for (std::size_t i = 0; i < study.cells.size(); ++i) cells.push_back(cell_json(study.grid.cells[i], study.cells[i]));
   for (const LawReach& reach : law_reaches(study))
     reaches.push_back({{"law", reach.law},
@@ -116,12 +131,14 @@ json study_json(const StudyResult& study, const std::string& parameter) {
                        {"next", number(reach.next)},
                        {"standing", reach.there ? json(standing_words[static_cast<std::size_t>(reach.there->standing)]) : json()},
                        {"sentence", sentence(reach, parameter)}});
+  for (const EngineAgreement& each : engine_agreements(study)) agreements.push_back(agreement_json(each));
   return {{"complete", study.complete},
           {"parameter", parameter.empty() ? json() : json(parameter)},
           {"broken_beyond", broken_beyond},
           {"cells", cells},
           {"reaches", reaches},
           {"digest", law_digest(study, parameter)},
+          {"engines", agreements},
           {"skipped", study.grid.skipped}};
 }
 

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <scalebreak/ensembles/breakdown/engine_agreement.hpp>
 #include <scalebreak/ensembles/breakdown/study_files.hpp>
 #include <scalebreak/ensembles/breakdown/study_plots.hpp>
 #include <scalebreak/ensembles/breakdown/study_quantities.hpp>
@@ -71,6 +72,10 @@ std::vector<std::string> write_study(const Input& input, const StudyResult& stud
   for (const std::string& each : law_digest(study, parameter)) report.paragraph(each + ".");
   report.heading("How far each law goes");
   for (const LawReach& reach : law_reaches(study)) report.paragraph(sentence(reach, parameter) + ".");
+  if (const auto agreements = engine_agreements(study); !agreements.empty()) {
+    report.heading("The engines beside each other");
+    for (const EngineAgreement& each : agreements) report.paragraph(sentence(each) + ".");
+  }
   report.heading("Maps");
   for (const MapPlot& map : deviation_maps(study, parameter, title)) {
     if (!draw(map, out)) missing.push_back(map.name);

@@ -24,7 +24,10 @@ class EventEngine final : public FlowEngine {
   void keep_sums(bool) override {}  // they cost nothing
   [[nodiscard]] double time() const override { return spheres_.time(); }
   [[nodiscard]] System system() const override { return spheres_.system(); }
-  [[nodiscard]] std::vector<ContactForce> contact_forces() const override { return {}; }
+  [[nodiscard]] std::vector<ContactForce> contact_forces() const override {
+    return groups_ ? spheres_.touching() : std::vector<ContactForce>();
+  }
+  [[nodiscard]] bool tells_forces() const override { return false; }
   [[nodiscard]] EngineTotals totals() const override;
   [[nodiscard]] double elastic_energy() const override { return spheres_.elastic_energy(); }
   [[nodiscard]] std::string save() const override;

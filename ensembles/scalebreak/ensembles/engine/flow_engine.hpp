@@ -62,6 +62,8 @@ class FlowEngine {
   /// The state at this time, in the order of identity.
   [[nodiscard]] virtual System system() const = 0;
   [[nodiscard]] virtual std::vector<ContactForce> contact_forces() const = 0;
+  /// Are the forces of these contacts theirs? Else only what touches is told.
+  [[nodiscard]] virtual bool tells_forces() const { return true; }
   [[nodiscard]] virtual EngineTotals totals() const = 0;
   [[nodiscard]] virtual double elastic_energy() const = 0;  ///< of all contacts [J]
   /// What the same engine goes on from, bit for bit.

@@ -160,7 +160,8 @@ void HybridEngine::advance_to(double time) {
 
 EngineTotals HybridEngine::totals() const {
   EngineTotals totals = sum(before_, running_totals());
-  totals.dissipated = {};  // not known of what the soft-sphere engine did
+  // Of what the soft-sphere engine did it is not known.
+  totals.dissipated = totals.handovers == 0 ? engine().totals().dissipated : std::nullopt;
   return totals;
 }
 

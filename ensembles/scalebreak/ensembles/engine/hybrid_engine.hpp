@@ -22,6 +22,7 @@ class HybridEngine final : public FlowEngine {
   [[nodiscard]] double time() const override;
   [[nodiscard]] System system() const override { return engine().system(); }
   [[nodiscard]] std::vector<ContactForce> contact_forces() const override { return engine().contact_forces(); }
+  [[nodiscard]] bool tells_forces() const override { return false; }
   [[nodiscard]] EngineTotals totals() const override;
   [[nodiscard]] double elastic_energy() const override { return engine().elastic_energy(); }
   [[nodiscard]] std::string save() const override;

@@ -12,6 +12,7 @@
 #include <scalebreak/ensembles/event/patches/patch.hpp>
 #include <scalebreak/ensembles/event/queue/calendar_queue.hpp>
 #include <scalebreak/ensembles/event/rules/collision_rule.hpp>
+#include <scalebreak/measure/contact_force.hpp>
 #include <scalebreak/scene/system.hpp>
 
 namespace scalebreak {
@@ -54,6 +55,8 @@ class EventSpheres {
   [[nodiscard]] System system() const;
   /// Makes patches of all contacts that last, so that system() is as soft spheres are and says what touches.
   void open_contacts();
+  /// What touches at this time, by identity: in patches, and in contacts that were put as instants. Branches and forces are not told: zero.
+  [[nodiscard]] std::vector<ContactForce> touching() const;
   [[nodiscard]] std::size_t patched() const;    ///< spheres in patches
   [[nodiscard]] double elastic_energy() const;  ///< of all patches [J]
   [[nodiscard]] double mean_neighbours() const;

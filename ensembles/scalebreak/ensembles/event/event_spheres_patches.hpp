@@ -191,6 +191,22 @@ void EventSpheres<Queue, Rule>::open_contacts() {
 }
 
 template <class Queue, class Rule>
+std::vector<ContactForce> EventSpheres<Queue, Rule>::touching() const {
+  std::vector<ContactForce> touching;
+  for (std::uint32_t i = 0; i < encounter_.size(); ++i) {
+    if (patched(i) || !busy(i)) continue;
+    const std::uint32_t partner = encounter_[i].partner;
+    const bool wall = partner >= most_flying_spheres;
+    if (!wall && partner < i) continue;  // it has the same contact
+    touching.push_back(
+        {.first = static_cast<std::int32_t>(body_[i].identity), .second = wall ? -1 : static_cast<std::int32_t>(body_[partner].identity)});
+  }
+  for (const ContactMemory& contact : system().contacts)
+    touching.push_back({.first = contact.first, .second = contact.second, .touching = contact.touching});
+  return touching;
+}
+
+template <class Queue, class Rule>
 std::size_t EventSpheres<Queue, Rule>::patched() const {
   return static_cast<std::size_t>(std::count_if(patch_of_.begin(), patch_of_.end(), [](std::uint32_t slot) { return slot != no_patch; }));
 }

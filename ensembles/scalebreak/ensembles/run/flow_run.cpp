@@ -31,6 +31,7 @@ Sample FlowInstant::sample() const {
           .contact_starts = totals.contact_starts,
           .work = work,
           .elastic_energy = elastic_energy,
+          .forces_known = forces_known,
           .shear_work = totals.shear_work,
           .dissipated = totals.dissipated,
           .contact_time = totals.contact_time,
@@ -85,7 +86,7 @@ FlowRun::FlowRun(const Input& input, std::string_view saved, int threads, const 
 
 void FlowRun::look() {
   if (!row_is_due() && !measures()) return;
-  instant_ = {engine_->system(), engine_->contact_forces(), engine_->totals(), engine_->elastic_energy(), 0};
+  instant_ = {engine_->system(), engine_->contact_forces(), engine_->totals(), engine_->elastic_energy(), 0, engine_->tells_forces()};
   instant_.work = instant_.totals.wall_work + gravity_energy(instant_.system, gravity_) - record_.gravity_energy;
   if (measures()) measurement_.add(instant_.sample());
 }

@@ -20,6 +20,7 @@ struct FlowInstant {
   EngineTotals totals;
   double elastic_energy = 0;  ///< [J]
   double work = 0;            ///< of walls and gravity since the start [J]
+  bool forces_known = true;   ///< of the contacts
 
   [[nodiscard]] Sample sample() const;
 };

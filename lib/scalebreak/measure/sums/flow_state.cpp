@@ -75,7 +75,7 @@ void add_contacts(Eigen::ArrayXd& sums, const SlabGrid& grid, const Sample& samp
         (contact.second >= 0 && static_cast<std::size_t>(contact.second) >= spheres)) {
       throw WorkError(fmt::format("a contact of spheres {} and {} was measured among {} spheres", contact.first, contact.second, spheres));
     }
-    add_contact(sums, grid, sample.system, contact);
+    if (sample.forces_known) add_contact(sums, grid, sample.system, contact);
     if (!contact.touching) continue;
     for (const std::int32_t end : {contact.first, contact.second}) {
       if (end < 0) continue;
@@ -113,6 +113,10 @@ FlowState flow_state(const Sample& sample, int slabs) {
   sums[flow_entry::gap] = cell.size.z();
   for (std::size_t i = 0; i < sample.system.count(); ++i) add_sphere(sums, grid, sample.system, i);
   add_contacts(sums, grid, sample);
+  if (!sample.forces_known) {
+    for (Eigen::Index slab = 0; slab < slabs; ++slab)
+      sums.segment<9>(slab_index(slab, slab_entry::contact_stress)).setConstant(std::numeric_limits<double>::quiet_NaN());
+  }
   return {sample.system.time, homogeneous_shear(cell) ? cell.shear_rate : 0, sums, totals_of(sample, sums[flow_entry::kinetic_energy])};
 }
 
