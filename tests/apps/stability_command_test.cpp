@@ -71,9 +71,9 @@ TEST_F(StabilityCommand, FindsTheStepAtWhichACollisionIsOff) {
 }
 
 TEST_F(StabilityCommand, FindsTheStepThatLeavesRollingBehind) {
-  const ProgramRun result = run({"stability", "data/failures/rolling_chatter.toml", "--json", "--quiet", "--set", "study.phases=2", "--set",
-                                 "study.laws=[\"rps\"]", "--set", "study.factors=[0.01]", "--set", "study.motion_error=4e-3", "--set",
-                                 "study.integrators=[\"synchronized\"]"});
+  const ProgramRun result = run({"stability", SCALEBREAK_SOURCE "/data/failures/rolling_chatter.toml", "--json", "--quiet", "--set",
+                                 "study.phases=2", "--set", "study.laws=[\"rps\"]", "--set", "study.factors=[0.01]", "--set",
+                                 "study.motion_error=4e-3", "--set", "study.integrators=[\"synchronized\"]"});
   ASSERT_EQ(result.status, 0) << result.err;
   const json j = result.json();
   EXPECT_EQ(j["criteria"][1]["name"], "rolling_left");
