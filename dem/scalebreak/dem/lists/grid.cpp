@@ -115,7 +115,7 @@ void Grid::renumber() {
   }
 }
 
-void Grid::search(const Level& level, bool later_only, std::uint32_t i, const std::vector<Quad>& position, const Quad* shift,
+void Grid::search(const Level& level, bool own, std::uint32_t i, const std::vector<Quad>& position, const Quad* shift,
                   std::vector<std::uint32_t>& neighbours) const {
   const Quad here = position[i];
   const double touch = here.w + skin_, reach = touch + level.largest;
@@ -149,7 +149,7 @@ void Grid::search(const Level& level, bool later_only, std::uint32_t i, const st
         const double cx = here.x - away.x, cy = here.y - away.y, cz = here.z - away.z;
         for (std::uint32_t k = level.start[from]; k < level.start[to + 1]; ++k) {
           const std::uint32_t j = level.sphere[k];
-          if (later_only && j <= i) continue;
+          if (own && !precedes(i, j)) continue;
           const Quad& there = position[j];
           const double dx = there.x - cx, dy = there.y - cy, dz = there.z - cz, distance = touch + there.w;
           if (dx * dx + dy * dy + dz * dz < distance * distance) neighbours.push_back(packed(j, number));

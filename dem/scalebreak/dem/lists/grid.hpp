@@ -23,9 +23,9 @@ class Grid {
 
   /// Is a pair of spheres kept by its first?
   [[nodiscard]] bool keeps(std::uint32_t first, std::uint32_t second) const {
-    return level_of_[first] != level_of_[second] ? level_of_[first] > level_of_[second] : first < second;
+    return level_of_[first] != level_of_[second] ? level_of_[first] > level_of_[second] : precedes(first, second);
   }
-  /// The neighbours of sphere i that are its own to keep: of two spheres in one octave, those after it; all of smaller octaves.
+  /// The neighbours of sphere i that are its own to keep: of two spheres in one octave, those that it precedes; all of smaller octaves.
   /// Appends them packed with their image.
   void neighbours_of(std::uint32_t i, const std::vector<Quad>& position, const Quad* shift, std::vector<std::uint32_t>& neighbours) const;
 
@@ -37,9 +37,15 @@ class Grid {
     std::array<int, 3> bins = {1, 1, 1};
     std::vector<std::uint32_t> start, sphere;  ///< of each bin, and the spheres bin by bin
   };
+  /// Is the way from i to j along the list shorter than that from j to i, both going on from its end to its beginning? So pairs across a
+  /// periodic face belong to the end of the list, and each of the threads that share it has as many pairs with the next one's spheres.
+  [[nodiscard]] bool precedes(std::uint32_t i, std::uint32_t j) const {
+    const auto count = static_cast<std::uint32_t>(level_of_.size()), way = j - i + (j < i ? count : 0), back = count - way;
+    return way != 0 && (way < back || (way == back && i < j));
+  }
   [[nodiscard]] std::size_t bin_number(const Level& level, int x, int y, int z) const;
   [[nodiscard]] std::array<int, 3> bin_of(const Level& level, const Quad& position) const;
-  void search(const Level& level, bool later_only, std::uint32_t i, const std::vector<Quad>& position, const Quad* shift,
+  void search(const Level& level, bool own, std::uint32_t i, const std::vector<Quad>& position, const Quad* shift,
               std::vector<std::uint32_t>& neighbours) const;
 
   Cell cell_;
