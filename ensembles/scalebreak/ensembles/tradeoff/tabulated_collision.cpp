@@ -1,0 +1,61 @@
+#include <scalebreak/ensembles/tradeoff/tabulated_collision.hpp>
+
+#include <chrono>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include <scalebreak/base/error.hpp>
+#include <scalebreak/collisions/tables/pair_resolver.hpp>
+
+namespace scalebreak {
+namespace {
+
+/// At least so many, so that the clock does not matter.
+constexpr int timed_lookups = 1000;
+
+/// Tables of adhesive spheres that slide or roll have an axis more: at 1e-4 one takes some 20 s of one core.
+double finest_tolerance(const Input& input) {
+  const bool two_axes = input.surface.tangential != TangentialModel::none || input.surface.rolling != RollingModel::none;
+  const Bodies bodies = input.colliding();
+  return two_axes && effective_kind(input.contact, bodies.pair().surface_energy).adhesive() ? 1e-4 : 1e-7;
+}
+
+/// At first touch body 1 is at +z of body 2.
+PairImpact impact_of(const MovingScene& scene) {
+  PairImpact impact{.normal = -Eigen::Vector3d::UnitZ()};
+  for (std::size_t i = 0; i < 2; ++i) impact.velocity[i] = scene.bodies[i].velocity, impact.spin[i] = scene.bodies[i].spin;
+  return impact;
+}
+
+CollisionOutcome looked_up(const CollisionScene& scene, const PairResolver& pair) {
+  const PairImpact impact = impact_of(scene.moving);
+  PairOutcome found;
+  const auto began = std::chrono::steady_clock::now();
+  for (int i = 0; i < timed_lookups; ++i) found = pair.look_up(impact);
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count() / timed_lookups;
+  CollisionOutcome outcome{.bodies = scene.moving.bodies, .contact_time = found.contact_time, .force_evaluations = 1, .seconds = seconds};
+  for (std::size_t i = 0; i < 2; ++i) outcome.bodies[i].velocity = found.velocity[i], outcome.bodies[i].spin = found.spin[i];
+  return outcome;
+}
+
+}  // namespace
+
+PreparedCollision tabulated_collision(const CollisionScene& scene, double tolerance, const TableStore& store) {
+  if (!scene.is_pair()) return {.refusal = "tables are of one collision of a pair, given by [pair] and [impact]"};
+  if (!scene.has_parted()) return {.refusal = "tables tell how a collision ends, and at run.duration this one has not"};
+  if (tolerance < finest_tolerance(scene.input) * (1 - 1e-9))
+    return {.refusal =
+                fmt::format("tables of such contacts are built down to {:g}; finer ones are too large", finest_tolerance(scene.input))};
+  try {
+    const auto pair = std::make_shared<const PairResolver>(scene.input, store,
+                                                           PairTolerance{.normal = tolerance, .oblique = tolerance, .turning = tolerance});
+    const Refusal refusal = pair->look_up(impact_of(scene.moving)).refusal;
+    if (refusal != Refusal::none) return {.refusal = std::string("no table answers this collision: ") + to_string(refusal)};
+    return {.resolve = [&scene, pair](double, double) { return looked_up(scene, *pair); }};
+  } catch (const WorkError& failed) {
+    return {.refusal = failed.what()};
+  }
+}
+
+}  // namespace scalebreak
