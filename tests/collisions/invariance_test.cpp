@@ -95,15 +95,15 @@ TEST(Invariance, OfAnObliquePairTellsKeptFromKeptToFirstOrderFromMoved) {
   input.tangential_speed = 3 * input.normal_speed;
   input.study_speeds = {0.05, 0.1, 0.5};
   const InvarianceStudy study = run_invariance(input, 0);
-  EXPECT_EQ(motion(summary(study, "thakur", false), "spin_ratio").verdict, Verdict::kept);
-  EXPECT_EQ(motion(summary(study, "torque_cubed", false), "spin_ratio").verdict, Verdict::kept);
+  EXPECT_EQ(motion(summary(study, "thakur", false), "spin_ratio").verdict, TrendVerdict::kept);
+  EXPECT_EQ(motion(summary(study, "torque_cubed", false), "spin_ratio").verdict, TrendVerdict::kept);
   const MotionTrend& rps = motion(summary(study, "rps", true), "restitution_normal");
-  EXPECT_EQ(rps.verdict, Verdict::kept_to_first_order);
+  EXPECT_EQ(rps.verdict, TrendVerdict::kept_to_first_order);
   EXPECT_GT(rps.largest, 1e-3);
   ASSERT_TRUE(rps.overlap_power);
   EXPECT_NEAR(rps.overlap_exponent, 1, 0.1);
   const MotionTrend& sup = motion(summary(study, "sup", false), "spin_ratio");
-  EXPECT_EQ(sup.verdict, Verdict::moved);
+  EXPECT_EQ(sup.verdict, TrendVerdict::moved);
   EXPECT_NEAR(sup.power.exponent, -1, 1e-6);
   EXPECT_LT(sup.power.exponent_error, 1e-6);
   for (const InvarianceRecord& r : study.records) {

@@ -7,7 +7,7 @@ colours = "#0072B2 #D55E00 #009E73 #CC79A7 #E69F00"
 titles = '"no cohesion, 400/s and 1500/s" "enlarged, 400/s and 1500/s" "cohesive, 200/s" "40/s" "40/s, JKR and adhesive rolling"'
 files = ''
 do for [study in studies] { files = files.' '.reference.study.'/study.csv' }
-# One row a cell; flows of which part was handed to soft spheres are above the curve, and not fitted.
+# One row a cell; fitted is where few contacts are in patches.
 most = 0.03
 stats '< cat'.files using (strcol(7) eq 'collision_rate' && strlen(strcol(24)) && $9*$22 < most ? log($24/($9*$22)) : NaN) name 'fit' nooutput
 constant = exp(fit_mean)

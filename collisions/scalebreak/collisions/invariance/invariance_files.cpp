@@ -46,11 +46,11 @@ CsvCell exponent_error(const Trend& trend) {
   return trend.exists && std::isfinite(trend.exponent) ? CsvCell(trend.exponent_error) : CsvCell();
 }
 
-const char* to_string(Verdict verdict) {
+const char* to_string(TrendVerdict verdict) {
   switch (verdict) {
-    case Verdict::kept: return "kept";
-    case Verdict::kept_to_first_order: return "kept_to_first_order";
-    case Verdict::moved: return "moved";
+    case TrendVerdict::kept: return "kept";
+    case TrendVerdict::kept_to_first_order: return "kept_to_first_order";
+    case TrendVerdict::moved: return "moved";
   }
   return "?";
 }

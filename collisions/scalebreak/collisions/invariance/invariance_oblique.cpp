@@ -44,7 +44,7 @@ std::string named(const std::string& name) { return fmt::format("strcol(1) eq '{
 
 bool keeps_spin(const InvarianceStudy& study, const Example& e) {
   return std::any_of(study.summaries.begin(), study.summaries.end(), [&](const LawSummary& s) {
-    const auto kept = [](const MotionTrend& t) { return t.quantity->key == "spin_ratio" && t.verdict != Verdict::moved; };
+    const auto kept = [](const MotionTrend& t) { return t.quantity->key == "spin_ratio" && t.verdict != TrendVerdict::moved; };
     return s.law == e.law->name && s.softer == (e.factor < 1) && std::any_of(s.motion.begin(), s.motion.end(), kept);
   });
 }

@@ -87,10 +87,10 @@ std::optional<MotionTrend> motion_trend(const MotionQuantity& quantity, const st
   }
   if (!exists) return {};
   trend.power = trend_of(ratios);
-  trend.verdict = trend.largest < kept_tolerance                        ? Verdict::kept
-                  : trend.limit && trend.largest_limit < kept_tolerance ? Verdict::kept_to_first_order
-                                                                        : Verdict::moved;
-  if (trend.verdict == Verdict::kept_to_first_order) fit_overlap_power(points, trend);
+  trend.verdict = trend.largest < kept_tolerance                        ? TrendVerdict::kept
+                  : trend.limit && trend.largest_limit < kept_tolerance ? TrendVerdict::kept_to_first_order
+                                                                        : TrendVerdict::moved;
+  if (trend.verdict == TrendVerdict::kept_to_first_order) fit_overlap_power(points, trend);
   return trend;
 }
 

@@ -58,7 +58,7 @@ struct MotionQuantity {
 [[nodiscard]] const std::vector<MotionQuantity>& motion_quantities();
 [[nodiscard]] const MotionQuantity& motion_quantity(std::string_view key);
 
-enum class Verdict {
+enum class TrendVerdict {
   kept,                 ///< at the overlaps of the input
   kept_to_first_order,  ///< in the limit of small overlaps over radius
   moved
@@ -67,7 +67,7 @@ enum class Verdict {
 /// What becomes of one quantity under a law, over all its factors and speeds.
 struct MotionTrend {
   const MotionQuantity* quantity = nullptr;
-  Verdict verdict = Verdict::moved;
+  TrendVerdict verdict = TrendVerdict::moved;
   double largest = 0;          ///< largest deviation at the overlaps of the input
   double largest_limit = 0;    ///< the same in the limit
   bool limit = false;          ///< is there one

@@ -33,13 +33,13 @@ std::string motion_in_words(const std::vector<MotionTrend>& trends) {
   for (const MotionTrend& t : trends) {
     const std::string name(t.quantity->name);
     switch (t.verdict) {
-      case Verdict::kept: kept.push_back(name); break;
-      case Verdict::kept_to_first_order:
+      case TrendVerdict::kept: kept.push_back(name); break;
+      case TrendVerdict::kept_to_first_order:
         first_order.push_back(
             fmt::format("{} ({:.2g}{})", name, t.largest,
                         t.overlap_power ? fmt::format(", p = {:.2f} ± {:.1g}", t.overlap_exponent, t.overlap_exponent_error) : ""));
         break;
-      case Verdict::moved:
+      case TrendVerdict::moved:
         moved.push_back(t.quantity->by_ratio && has_power(t.power) ? name + " as " + power_in_words(t.power)
                                                                    : fmt::format("{} by up to {:.3g}", name, t.largest));
         break;
@@ -70,8 +70,8 @@ std::string full_name(const LawSummary& s) {
 }
 
 std::string verdict(const MotionTrend& t) {
-  if (t.verdict == Verdict::kept) return "kept";
-  if (t.verdict == Verdict::kept_to_first_order) return fmt::format("kept to first order: {:.2g}", t.largest);
+  if (t.verdict == TrendVerdict::kept) return "kept";
+  if (t.verdict == TrendVerdict::kept_to_first_order) return fmt::format("kept to first order: {:.2g}", t.largest);
   return t.quantity->by_ratio && has_power(t.power) ? power_in_words(t.power) : fmt::format("moves by up to {:.3g}", t.largest);
 }
 

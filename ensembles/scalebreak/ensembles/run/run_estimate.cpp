@@ -18,7 +18,7 @@ namespace {
 constexpr double flying_seconds = 5e-9, contact_seconds = 130e-9, crowd_seconds = 75e-9;
 /// Seconds of the hybrid for a collision, for one in a patch beside, and how many there are of those over contact time × collision rate:
 /// docs/event_driven.md.
-constexpr double collision_seconds = 1e-5, patch_seconds = 4e-5, patched_share = 9;
+constexpr double collision_seconds = 1e-5, patch_seconds = 4e-5, patched_share = 11;
 constexpr double bytes_per_sphere = 2500, bytes_of_program = 20e6;
 
 constexpr double densest = 0.6;  ///< up to which Enskog's theory is asked
