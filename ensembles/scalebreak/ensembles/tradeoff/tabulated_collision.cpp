@@ -14,11 +14,10 @@ namespace {
 /// At least so many, so that the clock does not matter.
 constexpr int timed_lookups = 1000;
 
-/// Tables of adhesive spheres that slide or roll have an axis more: at 1e-4 one takes some 20 s of one core.
+/// Finer tables take more than half a minute of a core to build. Sliding and rolling give tables an axis more, on which lie the kinks where slip begins and ends.
 double finest_tolerance(const Input& input) {
-  const bool two_axes = input.surface.tangential != TangentialModel::none || input.surface.rolling != RollingModel::none;
-  const Bodies bodies = input.colliding();
-  return two_axes && effective_kind(input.contact, bodies.pair().surface_energy).adhesive() ? 1e-4 : 1e-7;
+  if (input.surface.tangential == TangentialModel::none && input.surface.rolling == RollingModel::none) return 1e-7;
+  return effective_kind(input.contact, input.colliding().pair().surface_energy).adhesive() ? 1e-4 : 1e-5;
 }
 
 /// At first touch body 1 is at +z of body 2.
@@ -44,14 +43,16 @@ CollisionOutcome looked_up(const CollisionScene& scene, const PairResolver& pair
 PreparedCollision tabulated_collision(const CollisionScene& scene, double tolerance, const TableStore& store) {
   if (!scene.is_pair()) return {.refusal = "tables are of one collision of a pair, given by [pair] and [impact]"};
   if (!scene.has_parted()) return {.refusal = "tables tell how a collision ends, and at run.duration this one has not"};
+  const std::string none = "no table answers this collision: ";
+  if (scene.input.surface.attraction != Attraction::none) return {.refusal = none + to_string(Refusal::liquid)};
   if (tolerance < finest_tolerance(scene.input) * (1 - 1e-9))
-    return {.refusal =
-                fmt::format("tables of such contacts are built down to {:g}; finer ones are too large", finest_tolerance(scene.input))};
+    return {.refusal = fmt::format("tables of such contacts are built down to {:g}; finer ones take long to build",
+                                   finest_tolerance(scene.input))};
   try {
     const auto pair = std::make_shared<const PairResolver>(scene.input, store,
                                                            PairTolerance{.normal = tolerance, .oblique = tolerance, .turning = tolerance});
     const Refusal refusal = pair->look_up(impact_of(scene.moving)).refusal;
-    if (refusal != Refusal::none) return {.refusal = std::string("no table answers this collision: ") + to_string(refusal)};
+    if (refusal != Refusal::none) return {.refusal = none + to_string(refusal)};
     return {.resolve = [&scene, pair](double, double) { return looked_up(scene, *pair); }};
   } catch (const WorkError& failed) {
     return {.refusal = failed.what()};
