@@ -24,8 +24,9 @@ std::string estimate(const Options& options, Input input) {
     double steps = 0;
     for (const double fraction : input.tradeoff.step_fractions) steps += 2 * steps_per_collision / fraction;
     steps *= static_cast<double>(input.tradeoff.phases);
-    return fmt::format("{:.2g} steps of a pair, about {:.1g} s, below 20 MB; more where a bridge lasts or run.duration is long", steps,
-                       1e-6 * steps);
+    return fmt::format(
+        "{:.2g} steps of a pair, about {:.1g} s, below 20 MB; more where a bridge lasts, run.duration is long or tables are built", steps,
+        1e-6 * steps);
   }
   if (input.tradeoff.methods.empty()) {
     const MethodGrid methods = method_grid(input);

@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <scalebreak/base/error.hpp>
 #include <scalebreak/ensembles/tradeoff/front.hpp>
 #include <scalebreak/ensembles/tradeoff/stepped_collision.hpp>
 
@@ -77,9 +76,6 @@ CollisionTradeoff collision_tradeoff(const Input& input, const TableStore& store
     }
     for (std::string& each : sentences_of(*method, refused)) study.refusals.push_back(std::move(each));
   }
-  if (study.points.empty())
-    throw InputError(fmt::format("study.methods: found none that answers this collision ({}); allowed: verlet, synchronized, exact",
-                                 fmt::join(study.refusals, "; ")));
   std::vector<double> costs, errors;
   for (const CollisionPoint& point : study.points) costs.push_back(point.force_evaluations), errors.push_back(point.motion_rms);
   const std::vector<bool> front = on_front(costs, errors);

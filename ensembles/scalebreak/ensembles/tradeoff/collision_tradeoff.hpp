@@ -27,7 +27,7 @@ struct CollisionTradeoff {
 };
 
 /// Of the input's pair or bodies, by the methods and settings of [study]. `progress` is told the share that is done. Serial, as it
-/// measures wall times. Throws what `collision_scene` throws, and InputError where none of the methods asked for has an answer.
+/// measures wall times. Throws what `collision_scene` throws.
 [[nodiscard]] CollisionTradeoff collision_tradeoff(const Input& input, const TableStore& store,
                                                    const std::function<void(double)>& progress = {});
 
