@@ -24,8 +24,9 @@ std::string estimate(const Options& options, Input input) {
     double steps = 0;
     for (const double fraction : input.tradeoff.step_fractions) steps += 2 * steps_per_collision / fraction;
     steps *= static_cast<double>(input.tradeoff.phases);
-    return fmt::format("{:.2g} steps of a pair, about {:.1g} s, below 20 MB; more where a bridge lasts or run.duration is long", steps,
-                       1e-6 * steps);
+    return fmt::format(
+        "{:.2g} steps of a pair, about {:.1g} s, below 20 MB; more where a bridge lasts, run.duration is long or tables are built", steps,
+        1e-6 * steps);
   }
   if (input.tradeoff.methods.empty()) {
     const MethodGrid methods = method_grid(input);
@@ -48,16 +49,15 @@ void print(const CollisionTradeoff& study) {
   fmt::print("{:<20} {:>9} {:>10} {:>10} {:>10} {:>10} {:>12} {:>10}\n", "method", "setting", "error rms", "largest", "energy", "time rms",
              "evaluations", "wall [us]");
   for (const CollisionPoint& p : study.points) {
-    fmt::print("{:<20} {:>9g} {:>10.2e} {:>10.2e} {:>+10.1e} {:>10} {:>12.1f} {:>10.1f}{}{}\n",
-               method_words[static_cast<std::size_t>(p.method)], p.setting, p.motion_rms, p.motion_largest, p.energy_mean,
-               p.time_rms ? fmt::format("{:.2e}", *p.time_rms) : "-", p.force_evaluations, 1e6 * p.seconds,
+    fmt::print("{:<20} {:>9g} {:>10.2e} {:>10.2e} {:>+10.1e} {:>10} {:>12.1f} {:>10.1f}{}{}\n", p.method->name, p.setting, p.motion_rms,
+               p.motion_largest, p.energy_mean, p.time_rms ? fmt::format("{:.2e}", *p.time_rms) : "-", p.force_evaluations, 1e6 * p.seconds,
                p.on_front ? "  on the front" : "", p.unparted > 0 ? fmt::format("  {} of {} did not part", p.unparted, p.phases) : "");
   }
   for (const CollisionConvergence& c : study.convergence) {
-    const CollisionMethod& method = collision_methods()[static_cast<std::size_t>(c.method)];
-    fmt::print("{:<20} {}; contact time: {}\n", method.name(), in_words(c.motion, method.setting),
-               in_words(c.contact_time, method.setting));
+    fmt::print("{:<20} {}; contact time: {}\n", c.method->name, in_words(c.motion, c.method->setting),
+               in_words(c.contact_time, c.method->setting));
   }
+  for (const std::string& each : study.refusals) fmt::print("{}\n", each);
 }
 
 void print(const FlowTradeoff& study) {
@@ -119,7 +119,7 @@ void add_tradeoff(CLI::App& app, Options& options, std::function<void()>& job) {
       if (input.flow) {
         report(options, input, flow_tradeoff(input, options.cores(), progress));
       } else {
-        report(options, input, collision_tradeoff(input, progress));
+        report(options, input, collision_tradeoff(input, options.store(), progress));
       }
     };
   });

@@ -26,7 +26,9 @@ TEST_F(TradeoffCommand, OfACollisionGivesPointsOrdersAndFiles) {
   ASSERT_EQ(result.status, 0) << result.err;
   EXPECT_EQ(result.err, "");
   const json j = result.json();
-  ASSERT_EQ(j["points"].size(), 5u + 5u + 3u);
+  ASSERT_EQ(j["points"].size(), 5u + 5u + 3u + 2u);
+  EXPECT_EQ(j["points"][13]["method"], "table");
+  EXPECT_THAT(j["refusals"][0], HasSubstr("table at 1e-08: "));
   const json &coarse = j["points"][0], &fine = j["points"][4], &exact = j["points"][12];
   EXPECT_EQ(coarse["method"], "verlet");
   EXPECT_EQ(exact["method"], "exact");

@@ -94,7 +94,7 @@ void add_study(std::vector<Key>& list) {
       }));
   list.push_back(numbers("study", "step_fractions", "-", "of tradeoff: steps of the soft-sphere engine over the Rayleigh time", 1, 100,
                          [](Input& input) -> std::vector<double>& { return input.tradeoff.step_fractions; }));
-  list.push_back(numbers("study", "tolerances", "-", "of tradeoff: tolerances of the exact engine", 1, 100,
+  list.push_back(numbers("study", "tolerances", "-", "of tradeoff: tolerances of the exact engine and of collision tables", 1, 100,
                          [](Input& input) -> std::vector<double>& { return input.tradeoff.tolerances; }));
   list.push_back(whole_number("study", "phases", "of tradeoff: points of a step at which a collision begins",
                               [](Input& input) -> std::uint64_t& { return input.tradeoff.phases; }));

@@ -18,9 +18,9 @@ Csv csv_of(const std::vector<CollisionPoint>& points) {
   Csv csv({"method", "setting [-]", "step [s]", "phases", "unparted", "motion_error_rms [-]", "motion_error_largest [-]",
            "energy_gain_mean [-]", "contact_time_error_rms [-]", "contact_time_error_largest [-]", "force_evaluations", "wall_time [s]"});
   for (const CollisionPoint& p : points)
-    csv.add({std::string(method_words[static_cast<std::size_t>(p.method)]), p.setting, p.step > 0 ? CsvCell(p.step) : CsvCell(),
-             static_cast<double>(p.phases), static_cast<double>(p.unparted), p.motion_rms, p.motion_largest, p.energy_mean,
-             cell(p.time_rms), cell(p.time_largest), p.force_evaluations, p.seconds});
+    csv.add({std::string(p.method->name), p.setting, p.step > 0 ? CsvCell(p.step) : CsvCell(), static_cast<double>(p.phases),
+             static_cast<double>(p.unparted), p.motion_rms, p.motion_largest, p.energy_mean, cell(p.time_rms), cell(p.time_largest),
+             p.force_evaluations, p.seconds});
   return csv;
 }
 
@@ -62,9 +62,9 @@ std::vector<Plot> plots_of(const CollisionTradeoff& study, const std::string& ti
   int style = 1;
   for (const CollisionMethod& method : collision_methods()) {
     const bool there =
-        std::any_of(study.points.begin(), study.points.end(), [&](const CollisionPoint& point) { return point.method == method.method; });
+        std::any_of(study.points.begin(), study.points.end(), [&](const CollisionPoint& point) { return point.method == &method; });
     if (!there) continue;
-    const std::string only = fmt::format("strcol(1) eq '{}'", method.name()), name = method.name();
+    const std::string only = fmt::format("strcol(1) eq '{}'", method.name), name = method.name;
     const auto curve = [&](const char* x, const char* y, const std::string& what, bool points) {
       return Curve{"tradeoff.csv", x, y, what, points, style, only};
     };
@@ -79,7 +79,7 @@ std::vector<Plot> plots_of(const CollisionTradeoff& study, const std::string& ti
         steps.curves.push_back(curve(step_fraction, time_rms, name + ": contact time", true));
       }
     }
-    const int own = 1 + static_cast<int>(method.method);
+    const int own = 1 + static_cast<int>(&method - collision_methods().data());
     work.curves.push_back({"tradeoff.csv", evaluations, motion_rms, name, true, own, only});
     wall.curves.push_back({"tradeoff.csv", wall_time, motion_rms, name, true, own, only});
     ++style;
@@ -93,7 +93,7 @@ std::string number(const std::optional<double>& value) { return value ? fmt::for
 void add_table(HtmlReport& report, const CollisionTradeoff& study) {
   std::vector<std::vector<std::string>> rows;
   for (const CollisionPoint& p : study.points)
-    rows.push_back({method_words[static_cast<std::size_t>(p.method)], fmt::format("{:g}", p.setting), fmt::format("{:.2e}", p.motion_rms),
+    rows.push_back({p.method->name, fmt::format("{:g}", p.setting), fmt::format("{:.2e}", p.motion_rms),
                     fmt::format("{:.2e}", p.motion_largest), fmt::format("{:+.1e}", p.energy_mean), number(p.time_rms),
                     fmt::format("{:.1f}", p.force_evaluations), fmt::format("{:.1f}", 1e6 * p.seconds),
                     fmt::format("{} of {}", p.unparted, p.phases), p.on_front ? "yes" : ""});
@@ -124,9 +124,8 @@ std::vector<std::string> write_tradeoff(const CollisionTradeoff& study, const st
                   reference_tolerance, study.speed));
   report.heading("Order of convergence");
   for (const CollisionConvergence& c : study.convergence) {
-    const CollisionMethod& method = collision_methods()[static_cast<std::size_t>(c.method)];
-    report.paragraph(fmt::format("{}: {}; of the contact time: {}.", method.name(), in_words(c.motion, method.setting),
-                                 in_words(c.contact_time, method.setting)));
+    report.paragraph(fmt::format("{}: {}; of the contact time: {}.", c.method->name, in_words(c.motion, c.method->setting),
+                                 in_words(c.contact_time, c.method->setting)));
   }
   report.paragraph(
       "How to read it: the slope of a line is its order; the front is what no other setting beats in error and work. What to choose: the cheapest "
@@ -134,8 +133,9 @@ std::vector<std::string> write_tradeoff(const CollisionTradeoff& study, const st
       "which is smaller.");
   report.figure(out / "convergence.svg", "Over the phases of a step at which the collision begins.");
   report.heading("Front");
-  report.figure(out / "front.svg", "Work counted: a contact's force, each time that it is evaluated.");
+  report.figure(out / "front.svg", "Work counted: a contact's force, each time that it is evaluated; a lookup and a formula are one.");
   report.figure(out / "front_wall_time.svg", "The same by wall time on this machine.");
+  for (const std::string& each : study.refusals) report.paragraph(each + ".");
   add_table(report, study);
   write_file(out / "index.html", report.text());
   return missing;

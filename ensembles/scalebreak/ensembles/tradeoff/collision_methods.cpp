@@ -5,19 +5,30 @@
 #include <limits>
 #include <numbers>
 
+#include <scalebreak/ensembles/tradeoff/closed_form_collision.hpp>
 #include <scalebreak/ensembles/tradeoff/stepped_collision.hpp>
+#include <scalebreak/ensembles/tradeoff/tabulated_collision.hpp>
 
 namespace scalebreak {
 namespace {
 
 constexpr double step_spread = 0.1;  ///< of the steps of the phases, from the shortest to the longest
 
-CollisionMethod by_steps(Method method, Integrator integrator) {
-  return {method, "step_fraction", true, &TradeoffInput::step_fractions,
-          [integrator](const CollisionScene& scene, double fraction, double phase) {
-            return step_collision(scene, integrator, step_of(scene, fraction), phase);
-          }};
+CollisionMethod by_steps(const char* name, Method word, Integrator integrator) {
+  return {.name = name,
+          .word = word,
+          .setting = "step_fraction",
+          .steps = true,
+          .settings = [](const TradeoffInput& input) { return input.step_fractions; },
+          .prepare =
+              [integrator](const CollisionScene& scene, double fraction, const TableStore&) {
+                return PreparedCollision{.resolve = [integrator, &scene, step = step_of(scene, fraction)](double stretch, double phase) {
+                  return step_collision(scene, integrator, stretch * step, phase);
+                }};
+              }};
 }
+
+std::vector<double> tolerances(const TradeoffInput& input) { return input.tolerances; }
 
 /// The k-th of numbers in [0, 1) that fill it evenly, whatever else is in order of k.
 double scattered(int k) {
@@ -36,21 +47,33 @@ struct RootMeanSquare {
 
 const std::vector<CollisionMethod>& collision_methods() {
   static const std::vector<CollisionMethod> methods = {
-      by_steps(Method::verlet, Integrator::verlet),
-      by_steps(Method::synchronized, Integrator::synchronized),
-      {Method::exact, "tolerance", false, &TradeoffInput::tolerances,
-       [](const CollisionScene& scene, double tolerance, double) { return move_collision(scene, tolerance); }},
+      by_steps("verlet", Method::verlet, Integrator::verlet),
+      by_steps("synchronized", Method::synchronized, Integrator::synchronized),
+      {.name = "exact",
+       .word = Method::exact,
+       .setting = "tolerance",
+       .settings = tolerances,
+       .prepare =
+           [](const CollisionScene& scene, double tolerance, const TableStore&) {
+             return PreparedCollision{.resolve = [tolerance, &scene](double, double) { return move_collision(scene, tolerance); }};
+           }},
+      {.name = "table", .word = {}, .setting = "tolerance", .settings = tolerances, .prepare = tabulated_collision},
+      {.name = "closed_form",
+       .word = {},
+       .setting = "",
+       .settings = [](const TradeoffInput&) { return std::vector<double>{0}; },
+       .prepare = [](const CollisionScene& scene, double, const TableStore&) { return closed_form_collision(scene); }},
   };
   return methods;
 }
 
-CollisionPoint measure_collision(const CollisionScene& scene, const CollisionMethod& method, double setting, int phases) {
-  CollisionPoint point{.method = method.method, .setting = setting, .step = method.steps ? step_of(scene, setting) : 0, .phases = phases};
+CollisionPoint measure_collision(const CollisionScene& scene, const CollisionMethod& method, double setting,
+                                 const PreparedCollision& prepared, int phases) {
+  CollisionPoint point{.method = &method, .setting = setting, .step = method.steps ? step_of(scene, setting) : 0, .phases = phases};
   RootMeanSquare motion, time;
   point.seconds = std::numeric_limits<double>::infinity();
   for (int k = 0; k < phases; ++k) {
-    const double stretched = method.steps ? setting * (1 + step_spread * (scattered(k) - 0.5)) : setting;
-    const CollisionOutcome outcome = method.resolve(scene, stretched, (k + 0.5) / phases);
+    const CollisionOutcome outcome = prepared.resolve(1 + step_spread * (scattered(k) - 0.5), (k + 0.5) / phases);
     const CollisionError error = collision_error(scene, outcome);
     motion.add(error.motion);
     if (error.contact_time) time.add(*error.contact_time);
@@ -62,6 +85,10 @@ CollisionPoint measure_collision(const CollisionScene& scene, const CollisionMet
   point.motion_rms = motion.value(), point.motion_largest = motion.largest;
   if (time.count == phases) point.time_rms = time.value(), point.time_largest = time.largest;
   return point;
+}
+
+CollisionPoint measure_collision(const CollisionScene& scene, const CollisionMethod& method, double setting, int phases) {
+  return measure_collision(scene, method, setting, method.prepare(scene, setting, {}), phases);
 }
 
 }  // namespace scalebreak

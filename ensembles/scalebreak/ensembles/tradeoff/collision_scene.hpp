@@ -15,6 +15,11 @@ struct CollisionScene {
   MotionOutcome reference;  ///< by the exact engine at `reference_tolerance`
   double duration = 0;      ///< that is followed [s]; 0: until all have parted
   double speed = 0;         ///< largest relative speed of two bodies at the start [m/s]
+
+  /// Is it one of [pair] and [impact], which touches as it begins?
+  [[nodiscard]] bool is_pair() const { return input.bodies.empty(); }
+  /// Does nothing touch any more where it ends?
+  [[nodiscard]] bool has_parted() const { return !reference.resting && reference.open_contacts == 0; }
 };
 inline constexpr double reference_tolerance = 1e-12;
 
@@ -26,7 +31,7 @@ struct CollisionOutcome {
   std::vector<MovingBody> bodies;      ///< in the order of the scene; positions are not compared
   std::optional<double> contact_time;  ///< of a pair that has parted and had no bridge [s]
   bool parted = true;                  ///< false: what should have parted still touches
-  double force_evaluations = 0;        ///< of contacts
+  double force_evaluations = 0;        ///< of contacts; a lookup and a formula count as one
   double seconds = 0;                  ///< of wall time
 };
 

@@ -1,6 +1,10 @@
 #include <scalebreak/ensembles/tradeoff/collision_tradeoff.hpp>
 
 #include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <scalebreak/ensembles/tradeoff/front.hpp>
 #include <scalebreak/ensembles/tradeoff/stepped_collision.hpp>
@@ -15,12 +19,13 @@ std::vector<const CollisionMethod*> methods_of(const Input& input) {
   std::vector<const CollisionMethod*> chosen;
   const auto& asked = input.tradeoff.methods;
   for (const CollisionMethod& method : collision_methods()) {
-    if (asked.empty() || std::find(asked.begin(), asked.end(), method.method) != asked.end()) chosen.push_back(&method);
+    const bool named = method.word && std::find(asked.begin(), asked.end(), *method.word) != asked.end();
+    if (asked.empty() || named) chosen.push_back(&method);
   }
   return chosen;
 }
 
-CollisionConvergence convergence_of(Method method, const std::vector<CollisionPoint>& points) {
+CollisionConvergence convergence_of(const CollisionMethod* method, const std::vector<CollisionPoint>& points) {
   std::vector<CollisionPoint> own;
   for (const CollisionPoint& point : points) {
     if (point.method == method && point.unparted == 0 && point.motion_rms > above_reference * reference_tolerance) own.push_back(point);
@@ -35,27 +40,49 @@ CollisionConvergence convergence_of(Method method, const std::vector<CollisionPo
   return {method, convergence_order(settings, motion), convergence_order(timed_settings, times)};
 }
 
+/// One sentence of each reason.
+std::vector<std::string> sentences_of(const CollisionMethod& method, const std::vector<std::pair<double, std::string>>& refused) {
+  std::vector<std::string> sentences;
+  for (auto it = refused.begin(); it != refused.end();) {
+    std::vector<double> settings;
+    const std::string& reason = it->second;
+    for (; it != refused.end() && it->second == reason; ++it) settings.push_back(it->first);
+    sentences.push_back(method.has_setting() ? fmt::format("{} at {:g}: {}", method.name, fmt::join(settings, ", "), reason)
+                                             : fmt::format("{}: {}", method.name, reason));
+  }
+  return sentences;
+}
+
 }  // namespace
 
-CollisionTradeoff collision_tradeoff(const Input& input, const std::function<void(double)>& progress) {
+CollisionTradeoff collision_tradeoff(const Input& input, const TableStore& store, const std::function<void(double)>& progress) {
   const CollisionScene scene = collision_scene(input);
   CollisionTradeoff study{.speed = scene.speed, .rayleigh_step = step_of(scene, 1)};
   if (scene.moving.bodies.size() == 2 && scene.reference.last_separation > 0)
     study.contact_time = scene.reference.last_separation - scene.reference.first_touch;
   const auto methods = methods_of(input);
-  std::size_t count = 0;
-  for (const CollisionMethod* method : methods) count += (input.tradeoff.*method->settings).size();
+  std::size_t count = 0, done = 0;
+  for (const CollisionMethod* method : methods) count += method->settings(input.tradeoff).size();
   for (const CollisionMethod* method : methods) {
-    for (const double setting : input.tradeoff.*method->settings) {
-      study.points.push_back(measure_collision(scene, *method, setting, static_cast<int>(input.tradeoff.phases)));
-      if (progress) progress(static_cast<double>(study.points.size()) / static_cast<double>(count));
+    std::vector<std::pair<double, std::string>> refused;
+    for (const double setting : method->settings(input.tradeoff)) {
+      const PreparedCollision prepared = method->prepare(scene, setting, store);
+      if (prepared.resolve) {
+        study.points.push_back(measure_collision(scene, *method, setting, prepared, static_cast<int>(input.tradeoff.phases)));
+      } else {
+        refused.emplace_back(setting, prepared.refusal);
+      }
+      if (progress) progress(static_cast<double>(++done) / static_cast<double>(count));
     }
+    for (std::string& each : sentences_of(*method, refused)) study.refusals.push_back(std::move(each));
   }
   std::vector<double> costs, errors;
   for (const CollisionPoint& point : study.points) costs.push_back(point.force_evaluations), errors.push_back(point.motion_rms);
   const std::vector<bool> front = on_front(costs, errors);
   for (std::size_t i = 0; i < front.size(); ++i) study.points[i].on_front = front[i];
-  for (const CollisionMethod* method : methods) study.convergence.push_back(convergence_of(method->method, study.points));
+  for (const CollisionMethod* method : methods) {
+    if (method->has_setting()) study.convergence.push_back(convergence_of(method, study.points));
+  }
   return study;
 }
 

@@ -12,7 +12,7 @@ namespace scalebreak {
 /// How the errors of a method fall with its setting, over the finer half of the settings at which all runs parted and that are above
 /// the reference's own error.
 struct CollisionConvergence {
-  Method method = Method::exact;
+  const CollisionMethod* method = nullptr;
   ConvergenceOrder motion, contact_time;  ///< NaN where there are fewer than three such settings
 };
 
@@ -23,10 +23,12 @@ struct CollisionTradeoff {
   double rayleigh_step = 0;            ///< [s]
   std::vector<CollisionPoint> points;  ///< by method, then in the order of the settings
   std::vector<CollisionConvergence> convergence;
+  std::vector<std::string> refusals;  ///< sentences on the methods that have no point, or not at each setting
 };
 
 /// Of the input's pair or bodies, by the methods and settings of [study]. `progress` is told the share that is done. Serial, as it
 /// measures wall times. Throws what `collision_scene` throws.
-[[nodiscard]] CollisionTradeoff collision_tradeoff(const Input& input, const std::function<void(double)>& progress = {});
+[[nodiscard]] CollisionTradeoff collision_tradeoff(const Input& input, const TableStore& store,
+                                                   const std::function<void(double)>& progress = {});
 
 }  // namespace scalebreak
