@@ -23,7 +23,11 @@ Cell open_cell() {
 }  // namespace
 
 GroupLaws::GroupLaws(const DemSetup& setup, const Cell& cell, std::vector<LawRows::Kind> kinds)
-    : kernel_(setup.kernel ? &kernel(setup.kernel) : &kernel_for_few()), kinds_(std::move(kinds)), images_(open_cell(), 0), gravity_(setup.gravity), step_(setup.step) {
+    : kernel_(setup.kernel ? &kernel(setup.kernel) : &kernel_for_few()),
+      kinds_(std::move(kinds)),
+      images_(open_cell(), 0),
+      gravity_(setup.gravity),
+      step_(setup.step) {
   if (kinds_.empty() || kinds_.size() > most_kinds)
     throw InputError(
         fmt::format("particles.size: found spheres of {} radii and materials; allowed: 1 to {} in groups that are integrated on their own",
