@@ -9,5 +9,5 @@ need "${build_packages[@]}" "${plot_packages[@]}"
 configure_and_build -DSCALEBREAK_TESTS=OFF -DSCALEBREAK_BENCHMARKS=OFF
 echo "== what each scaling law keeps in a collision; its report will be out/invariance/index.html"
 build/release/bin/scalebreak invariance data/scenes/glass_pair.toml --tables out/tables --out out/invariance
-echo "== where they break in a flow: data/studies/quick.toml, a minute and a half on two cores; its report, with maps and plots, will be out/study/index.html"
+echo "== where they break in a flow: data/studies/quick.toml, two and a half minutes on two cores; its report, with maps and plots, will be out/study/index.html"
 build/release/bin/scalebreak breakdown data/studies/quick.toml --tables out/tables --out out/study
