@@ -31,7 +31,7 @@ struct EngineAgreement {
 /// Of the first engine of a study with each other one, in the order of the grid.
 [[nodiscard]] std::vector<EngineAgreement> engine_agreements(const StudyResult& study);
 
-/// "hybrid and dem, 12 flows: granular temperature 11.3 (probability 0.5), …; all 61 over 60 (0.44); farthest apart shear stress by +3.1 % ± 1.2 %".
+/// "hybrid and dem on 12 flows, …: granular temperature 11.3 over 12 (probability 0.5), … all 61.0 over 60 (0.44); least likely is shear stress by +3.1 % ± 1.2 %".
 [[nodiscard]] std::string sentence(const EngineAgreement& agreement);
 
 }  // namespace scalebreak

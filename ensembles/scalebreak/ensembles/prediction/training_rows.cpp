@@ -54,6 +54,23 @@ class GroupsOf {
   std::map<std::size_t, ScaleGroups> known_;
 };
 
+/// Of a cell that is no original; what came of it is not in it yet.
+TrainingRow row_of(const std::string& study, const StudyGrid& grid, std::size_t index, const Input& input, const std::string& quantity,
+                   GroupsOf& groups) {
+  const StudyCell& cell = grid.cells[index];
+  constexpr double not_run = std::numeric_limits<double>::quiet_NaN();
+  return {.study = study,
+          .law = cell.law,
+          .point = cell.point.name(input.study.parameter),
+          .factor = cell.factor,
+          .key = cell.key,
+          .quantity = quantity,
+          .original = groups(grid.original_of(index)),
+          .scaled = groups(index),
+          .deviation = {not_run, not_run},
+          .version = ""};
+}
+
 }  // namespace
 
 TrainingRows forecast_rows(const Input& input, const std::string& name) {
@@ -61,20 +78,8 @@ TrainingRows forecast_rows(const Input& input, const std::string& name) {
   GroupsOf groups(grid);
   TrainingRows forecast;
   for (std::size_t i = 0; i < grid.cells.size(); ++i) {
-    const StudyCell& cell = grid.cells[i];
-    if (cell.original()) continue;
-    for (const std::string& quantity : predicted_quantities()) {
-      forecast.rows.push_back({.study = name,
-                               .law = cell.law,
-                               .point = cell.point.name(input.study.parameter),
-                               .factor = cell.factor,
-                               .key = cell.key,
-                               .quantity = quantity,
-                               .original = groups(grid.original_of(i)),
-                               .scaled = groups(i),
-                               .deviation = {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()},
-                               .version = ""});
-    }
+    if (grid.cells[i].original()) continue;
+    for (const std::string& quantity : predicted_quantities()) forecast.rows.push_back(row_of(name, grid, i, input, quantity, groups));
   }
   return forecast;
 }
@@ -97,22 +102,14 @@ void add_study(TrainingRows& to, const std::filesystem::path& folder) {
     if (std::find(predicted.begin(), predicted.end(), quantity) == predicted.end()) continue;
     const auto deviation = csv.number(row, "deviation [-]"), error = csv.number(row, "deviation_error [-]");
     const std::size_t index = cell_of(grid, csv, row);
-    const StudyCell& cell = grid.cells[index];
-    if (!deviation || cell.original()) continue;
+    if (!deviation || grid.cells[index].original()) continue;
     if (!error || *deviation <= -1) {
       ++to.without_error;
       continue;
     }
-    to.rows.push_back({.study = name,
-                       .law = cell.law,
-                       .point = cell.point.name(input.study.parameter),
-                       .factor = cell.factor,
-                       .key = cell.key,
-                       .quantity = quantity,
-                       .original = groups(grid.original_of(index)),
-                       .scaled = groups(index),
-                       .deviation = {*deviation, *error},
-                       .version = csv.word(row, "version")});
+    TrainingRow found = row_of(name, grid, index, input, quantity, groups);
+    found.deviation = {*deviation, *error}, found.version = csv.word(row, "version");
+    to.rows.push_back(std::move(found));
   }
 }
 
