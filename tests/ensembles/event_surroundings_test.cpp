@@ -95,6 +95,20 @@ TEST(EventShear, NeverOverlapsOverAnyStrainAndBalancesItsEnergy) {
   EXPECT_LT(test::momentum_of(end).norm(), 1e-10 * size);
 }
 
+TEST(EventShear, NeverOverlapsInAThinGasWhileImagesPassManyTimes) {
+  // Few collisions between two renewals, so that lists are made far from where the cell was at the last.
+  const double shear_rate = 60;
+  const System start = test::filled(300, 0.1, {radius}, speed, shear_rate);
+  Smooth flow(start, {}, {0.9});
+  double deepest = 0;
+  for (int k = 1; k <= 600; ++k) {
+    flow.advance_to(k * 0.02 / shear_rate);
+    deepest = std::max(deepest, -least_gap_ratio(flow.system(), 0.0));
+  }
+  EXPECT_LT(deepest, 1e-12);
+  EXPECT_GT(flow.totals().renewals, 2);
+}
+
 System box(std::size_t count, double volume_fraction) {
   Filling filling;
   filling.radius.assign(count, radius);
