@@ -53,8 +53,8 @@ struct ContactLoop {
     const SpheresView& s = task.spheres;
     const std::uint32_t end = begin + block_size * width < task.contacts.count ? begin + block_size * width : task.contacts.count;
     const auto fetch = [&](std::uint32_t i) {
-      will_read(s.position[i]), will_read(s.seen_velocity[i]), will_add_to(s.force[i]);
-      if (turning) will_read(s.seen_spin[i]), will_add_to(s.torque[i]);
+      ask_for(s.position[i]), ask_for(s.seen_velocity[i]), ask_for(s.force[i]);
+      if (turning) ask_for(s.seen_spin[i]), ask_for(s.torque[i]);
     };
     for (std::uint32_t k = begin; k < end; ++k) {
       fetch(task.contacts.first[k]);

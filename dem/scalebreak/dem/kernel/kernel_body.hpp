@@ -16,8 +16,8 @@ void push_spheres(const MoveTask& task) {
   for (std::uint32_t k = 0; k < task.pushed_count; ++k) {
     if (s.far && k + ahead < task.pushed_count) {
       const std::uint32_t next = task.pushed[k + ahead];
-      will_add_to(s.velocity[next]), will_add_to(s.force[next]);
-      if (turns) will_add_to(s.spin[next]), will_add_to(s.torque[next]);
+      ask_for(s.velocity[next]), ask_for(s.force[next]);
+      if (turns) ask_for(s.spin[next]), ask_for(s.torque[next]);
     }
     const std::uint32_t i = task.pushed[k];
     const Four velocity = load(s.velocity[i]), gain = load(s.force[i]) * all(velocity[3]);
@@ -55,7 +55,7 @@ void move_spheres(MoveTask& task) {
   };
   if (task.movers) {
     for (std::uint32_t k = task.begin; k < task.end; ++k) {
-      if (s.far && k + ahead < task.end) will_add_to(s.position[task.movers[k + ahead]]), will_read(s.velocity[task.movers[k + ahead]]);
+      if (s.far && k + ahead < task.end) ask_for(s.position[task.movers[k + ahead]]), ask_for(s.velocity[task.movers[k + ahead]]);
       one(task.movers[k]);
     }
   } else {

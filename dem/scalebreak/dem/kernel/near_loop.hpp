@@ -19,9 +19,8 @@ inline void meet_spheres(ForceTask& task) {
       ones = first, others = second;
     }
     if (task.spheres.far && k + ahead + width <= near.count) {
-      each_lane([&](auto lane) {
-        will_read(position[sphere_of(near.second[k + ahead + lane])]), will_read(position[near.first[k + ahead + lane]]);
-      });
+      each_lane(
+          [&](auto lane) { ask_for(position[sphere_of(near.second[k + ahead + lane])]), ask_for(position[near.first[k + ahead + lane]]); });
     }
     Four between[width], radii[width];
     each_lane([&](auto lane) __attribute__((always_inline)) {

@@ -10,17 +10,19 @@
 namespace scalebreak::dem {
 namespace {
 
-constexpr int strip = 8;  ///< rows along y that lie together in memory
+/// Bins along x and y that lie together in memory, so that of what is near along z little lies between.
+constexpr int column_length = 16, column_rows = 8;
 /// More bins than spheres only cost memory.
 constexpr double most_bins_per_sphere = 4;
 
 }  // namespace
 
 std::size_t Grid::bin_number(const Level& level, int x, int y, int z) const {
-  const int first = y / strip * strip, rows = std::min(strip, level.bins[1] - first);
-  const std::size_t row = static_cast<std::size_t>(first) * static_cast<std::size_t>(level.bins[2]) +
-                          static_cast<std::size_t>(z) * static_cast<std::size_t>(rows) + static_cast<std::size_t>(y - first);
-  return row * static_cast<std::size_t>(level.bins[0]) + static_cast<std::size_t>(x);
+  const auto size = [](int n) { return static_cast<std::size_t>(n); };
+  const int first_row = y / column_rows * column_rows, rows = std::min(column_rows, level.bins[1] - first_row);
+  const int first = x / column_length * column_length, length = std::min(column_length, level.bins[0] - first);
+  const std::size_t column = (size(first_row) * size(level.bins[0]) + size(rows) * size(first)) * size(level.bins[2]);
+  return column + (size(z) * size(rows) + size(y - first_row)) * size(length) + size(x - first);
 }
 
 std::array<int, 3> Grid::bin_of(const Level& level, const Quad& p) const {
@@ -141,9 +143,10 @@ void Grid::search(const Level& level, bool own, std::uint32_t i, const std::vect
       const int ky = image(y, level.bins[1]);
       for (int x = x0; x <= x1;) {
         // Bins side by side along x, up to the cell's face.
-        const int bins = level.bins[0], kx = image(x, bins), last = std::min(x1, kx < 0 ? -1 : kx > 0 ? 2 * bins - 1 : bins - 1);
-        const std::size_t row = bin_number(level, 0, y - ky * level.bins[1], z - kz * level.bins[2]);
-        const std::size_t from = row + static_cast<std::size_t>(x - kx * bins), to = row + static_cast<std::size_t>(last - kx * bins);
+        const int bins = level.bins[0], kx = image(x, bins), inside = x - kx * bins;
+        const int end = std::min((inside / column_length + 1) * column_length, bins), last = std::min(x1, x + end - 1 - inside);
+        const std::size_t from = bin_number(level, inside, y - ky * level.bins[1], z - kz * level.bins[2]);
+        const std::size_t to = from + static_cast<std::size_t>(last - x);
         const auto number = static_cast<std::uint32_t>(kx + 1 + 3 * (ky + 1) + 9 * (kz + 1));
         const Quad away = shift[number];
         const double cx = here.x - away.x, cy = here.y - away.y, cz = here.z - away.z;

@@ -10,7 +10,7 @@
 namespace scalebreak::dem {
 
 /// The spheres of a cell in bins: one grid for each octave of sizes, so that small spheres beside large ones lie in small bins. Bins are
-/// numbered in strips (x fastest, then eight rows along y, then z), so that what is near in space is near in memory.
+/// numbered in columns (sixteen along x fastest, then eight rows along y, then z), so that what is near in space is near in memory.
 class Grid {
  public:
   /// Spheres that are wrapped; `skin` is the largest gap of surfaces at which a pair is a pair of neighbours [m].
