@@ -4,9 +4,13 @@
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <boost/numeric/odeint/algebra/range_algebra.hpp>
 
 #include <lib/resolving.hpp>
+#include <scalebreak/collisions/bodies/few_body_system.hpp>
 #include <scalebreak/collisions/bodies/moving_scene.hpp>
+#include <scalebreak/collisions/event_integrator.hpp>
+#include <scalebreak/collisions/steps/embedded_steps.hpp>
 
 namespace scalebreak::tests {
 namespace {
@@ -75,11 +79,53 @@ INSTANTIATE_TEST_SUITE_P(All, SteppersOf,
                          testing::Values(Stepper::fehlberg78, Stepper::cash_karp54, Stepper::dopri5, Stepper::dopri5_dense,
                                          Stepper::bulirsch_stoer));
 
-/// Forces are looked at once in every state: twelve times within a step of Fehlberg's, at two looks on the cubic, at its end and again there, after the
-/// looks, for what is kept of it; the rest is events. A step that took the rate where it begins anew, or looked at events there, would come to 22 or more.
-TEST(Steppers, TakeTheRateWhereAStepBeginsFromTheLastOne) {
-  const MotionOutcome found = moving_scene(resolved(dry)).move({.tolerance = 1e-8});
-  EXPECT_LT(static_cast<double>(found.force_evaluations) / found.steps, 21);
+/// y'' = −y, which counts what it is asked.
+struct Oscillator {
+  using State = std::vector<double>;
+  using Values = std::vector<double>;
+  int rates = 0, looks = 0;
+
+  void operator()(const State& y, State& rate, double) { ++rates, rate = {y[1], -y[0]}; }
+  void event_values(const State&, Values& values) { ++looks, values = {-1.0}; }
+  static double scale(std::size_t) { return 1; }
+};
+
+/// Fehlberg's twelve rates within a step and the one at its end, where the next begins; looks on the cubic and at the end.
+TEST(EventIntegrator, GoesOnFromWhatTheLastStepEndedWith) {
+  using Steps = EmbeddedSteps<Oscillator::State, Fehlberg78<Oscillator::State, boost::numeric::odeint::range_algebra>>;
+  Oscillator system;
+  EventIntegrator<Oscillator, Steps> integrator(system, 1e-3, 0.1);
+  Oscillator::State y = {1, 0};
+  for (int step = 1; step <= 5; ++step) {
+    ASSERT_EQ(integrator.advance(y), integrator.none);
+    EXPECT_EQ(system.rates, 1 + 13 * step);
+    EXPECT_EQ(system.looks, 1 + 3 * step);
+  }
+  y[0] += 0.1;
+  (void)integrator.advance(y);
+  EXPECT_EQ(system.rates, 1 + 13 * 6 + 1);
+}
+
+TEST(FewBodySystem, LooksAtAStateOnceUntilItsLinksChange) {
+  const MovingScene scene = moving_scene(resolved(scenes[4]));
+  FewBodySystem system(
+      scene.bodies, [&](int i, int j) { return scene.between(i, j); }, 0);
+  FewBodySystem::State y = system.start(), rate = y;
+  std::vector<FewBodySystem::Change> changes;
+  ASSERT_TRUE(system.fly(y, changes));
+  rate = y;
+  system(y, rate, 0);
+  const FewBodySystem::State first = rate;
+  const long looked = system.force_evaluations();
+  system(y, rate, 0);
+  EXPECT_EQ(system.force_evaluations(), looked);
+  EXPECT_EQ(rate, first);
+  (void)system.apply(static_cast<std::size_t>(LinkEvent::turn), y);
+  system(y, rate, 0);
+  EXPECT_EQ(system.force_evaluations(), looked + 1);
+  y[0] += 1e-9;
+  system(y, rate, 0);
+  EXPECT_EQ(system.force_evaluations(), looked + 2);
 }
 
 }  // namespace

@@ -235,8 +235,8 @@ TEST(CollisionChoice, IsTheCheapestWhoseErrorIsAllowed) {
   EXPECT_THAT(
       choices(study),
       ElementsAre(
-          "For an error below 0.01: table at 0.001 (1 evaluations, 0.1 µs); of what integrates verlet at 0.2 (40 evaluations, 12 µs)",
-          "For an error below 0.001: table at 0.001 (1 evaluations, 0.1 µs); of what integrates verlet at 0.2 (40 evaluations, 12 µs)",
+          "For an error below 0.01: table at 0.001 (1 evaluation, 0.1 µs); of what integrates verlet at 0.2 (40 evaluations, 12 µs)",
+          "For an error below 0.001: table at 0.001 (1 evaluation, 0.1 µs); of what integrates verlet at 0.2 (40 evaluations, 12 µs)",
           "For an error below 0.0001: exact at 0.0001 (300 evaluations, 40 µs); by evaluations dopri5 at 0.0001 (200 evaluations, 50 µs)",
           "For an error below 1e-06: none of these"));
 }

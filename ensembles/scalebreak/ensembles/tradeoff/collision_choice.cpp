@@ -9,7 +9,8 @@ bool integrates(const CollisionPoint& point) { return point.method->word != Meth
 
 std::string point_text(const CollisionPoint& point) {
   const std::string setting = point.method->has_setting() ? fmt::format(" at {:g}", point.setting) : "";
-  return fmt::format("{}{} ({:.4g} evaluations, {:.2g} µs)", point.method->name(), setting, point.force_evaluations, 1e6 * point.seconds);
+  return fmt::format("{}{} ({:.4g} evaluation{}, {:.2g} µs)", point.method->name(), setting, point.force_evaluations,
+                     point.force_evaluations == 1 ? "" : "s", 1e6 * point.seconds);
 }
 
 }  // namespace
