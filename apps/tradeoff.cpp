@@ -4,6 +4,7 @@
 
 #include <scalebreak/base/error.hpp>
 #include <scalebreak/ensembles/run/run_estimate.hpp>
+#include <scalebreak/ensembles/tradeoff/collision_choice.hpp>
 #include <scalebreak/ensembles/tradeoff/method_tradeoff.hpp>
 #include <scalebreak/ensembles/tradeoff/tradeoff_files.hpp>
 #include <scalebreak/ensembles/tradeoff/tradeoff_json.hpp>
@@ -16,17 +17,11 @@
 namespace scalebreak::apps {
 namespace {
 
-/// Of a stiff contact, in Rayleigh times.
-constexpr double steps_per_collision = 7;
-
 std::string estimate(const Options& options, Input input) {
   if (!input.flow) {
-    double steps = 0;
-    for (const double fraction : input.tradeoff.step_fractions) steps += 2 * steps_per_collision / fraction;
-    steps *= static_cast<double>(input.tradeoff.phases);
-    return fmt::format(
-        "{:.2g} steps of a pair, about {:.1g} s, below 20 MB; more where a bridge lasts, run.duration is long or tables are built", steps,
-        1e-6 * steps);
+    const double steps = soft_sphere_steps(input);
+    return fmt::format("{:.2g} steps of soft spheres, about {:.1g} s, below 20 MB; more where a bridge lasts, or tables are built", steps,
+                       1e-6 * steps);
   }
   if (input.tradeoff.methods.empty()) {
     const MethodGrid methods = method_grid(input);
@@ -49,14 +44,15 @@ void print(const CollisionTradeoff& study) {
   fmt::print("{:<20} {:>9} {:>10} {:>10} {:>10} {:>10} {:>12} {:>10}\n", "method", "setting", "error rms", "largest", "energy", "time rms",
              "evaluations", "wall [us]");
   for (const CollisionPoint& p : study.points) {
-    fmt::print("{:<20} {:>9g} {:>10.2e} {:>10.2e} {:>+10.1e} {:>10} {:>12.1f} {:>10.1f}{}{}\n", p.method->name, p.setting, p.motion_rms,
+    fmt::print("{:<20} {:>9g} {:>10.2e} {:>10.2e} {:>+10.1e} {:>10} {:>12.1f} {:>10.1f}{}{}\n", p.method->name(), p.setting, p.motion_rms,
                p.motion_largest, p.energy_mean, p.time_rms ? fmt::format("{:.2e}", *p.time_rms) : "-", p.force_evaluations, 1e6 * p.seconds,
                p.on_front ? "  on the front" : "", p.unparted > 0 ? fmt::format("  {} of {} did not part", p.unparted, p.phases) : "");
   }
   for (const CollisionConvergence& c : study.convergence) {
-    fmt::print("{:<20} {}; contact time: {}\n", c.method->name, in_words(c.motion, c.method->setting),
+    fmt::print("{:<20} {}; contact time: {}\n", c.method->name(), in_words(c.motion, c.method->setting),
                in_words(c.contact_time, c.method->setting));
   }
+  for (const std::string& each : choices(study)) fmt::print("{}\n", each);
   for (const std::string& each : study.refusals) fmt::print("{}\n", each);
 }
 

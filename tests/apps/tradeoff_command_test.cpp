@@ -26,8 +26,9 @@ TEST_F(TradeoffCommand, OfACollisionGivesPointsOrdersAndFiles) {
   ASSERT_EQ(result.status, 0) << result.err;
   EXPECT_EQ(result.err, "");
   const json j = result.json();
-  ASSERT_EQ(j["points"].size(), 5u + 5u + 3u + 2u);
-  EXPECT_EQ(j["points"][13]["method"], "table");
+  ASSERT_EQ(j["points"].size(), 5u + 5u + 5u * 3u + 2u);
+  EXPECT_EQ(j["points"][13]["method"], "cash_karp54");
+  EXPECT_EQ(j["points"][25]["method"], "table");
   EXPECT_THAT(j["refusals"][0], HasSubstr("table at 1e-08: "));
   const json &coarse = j["points"][0], &fine = j["points"][4], &exact = j["points"][12];
   EXPECT_EQ(coarse["method"], "verlet");
@@ -45,6 +46,15 @@ TEST_F(TradeoffCommand, OfACollisionGivesPointsOrdersAndFiles) {
   EXPECT_THAT(names_of(files_of(out)), IsSupersetOf({"input.toml", "result.json", "tradeoff.csv", "front.csv", "convergence.gp", "front.gp",
                                                      "front_wall_time.gp", "index.html"}));
   EXPECT_THAT(run(words({"tradeoff", "--quiet"}, quick)).out, HasSubstr("error ∝ step_fraction^("));
+}
+
+TEST_F(TradeoffCommand, ComparesWhatStudyMethodsNames) {
+  const ProgramRun result = run(words({"tradeoff", "--json", "--quiet", "--set", "study.methods=[\"table\", \"closed_form\"]"}, quick));
+  ASSERT_EQ(result.status, 0) << result.err;
+  const json j = result.json();
+  ASSERT_EQ(j["points"].size(), 2u);
+  for (const json& point : j["points"]) EXPECT_EQ(point["method"], "table");
+  EXPECT_THAT(j["refusals"].back(), HasSubstr("closed_form: "));
 }
 
 TEST_F(TradeoffCommand, OfBodiesHasNoContactTimes) {
@@ -110,11 +120,14 @@ TEST_F(TradeoffCommand, RefusesInOneSentence) {
   EXPECT_EQ(fine.status, 2);
   EXPECT_THAT(fine.err,
               HasSubstr("study.step_fractions: found [1e-06]; allowed: an array of 1 to 100 numbers of at least 0.0001 and at most 1"));
-  EXPECT_THAT(run({"tradeoff", "--set", "study.methods=[\"euler\"]"}).err, HasSubstr("\"verlet\", \"synchronized\", \"exact\""));
+  EXPECT_THAT(
+      run({"tradeoff", "--set", "study.methods=[\"euler\"]"}).err,
+      HasSubstr("\"verlet\", \"synchronized\", \"exact\", \"cash_karp54\", \"dopri5\", \"dopri5_dense\", \"bulirsch_stoer\", \"table\", "
+                "\"closed_form\""));
 }
 
 TEST_F(TradeoffCommand, CheckEstimates) {
-  EXPECT_THAT(run({"tradeoff", "--check"}).out, HasSubstr("steps of a pair, about "));
+  EXPECT_THAT(run({"tradeoff", "--check"}).out, HasSubstr("5.8e+04 steps of soft spheres, about "));
   const std::string file = scene("shear.toml", small_shear);
   EXPECT_THAT(run({"tradeoff", file, "--check", "--set", "study.methods=[\"verlet\", \"synchronized\"]"}).out,
               HasSubstr("# estimate: 18 flows, about "));

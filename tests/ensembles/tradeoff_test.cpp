@@ -7,6 +7,8 @@
 #include <lib/resolving.hpp>
 #include <lib/surroundings.hpp>
 #include <scalebreak/contact/hertz.hpp>
+#include <scalebreak/ensembles/tradeoff/collision_choice.hpp>
+#include <scalebreak/ensembles/tradeoff/collision_methods.hpp>
 #include <scalebreak/ensembles/tradeoff/collision_tradeoff.hpp>
 #include <scalebreak/ensembles/tradeoff/flow_tradeoff.hpp>
 #include <scalebreak/ensembles/tradeoff/front.hpp>
@@ -129,7 +131,7 @@ CollisionTradeoff tabulated(const std::string& toml) {
 std::vector<CollisionPoint> by(const std::string& method, const CollisionTradeoff& study) {
   std::vector<CollisionPoint> own;
   for (const CollisionPoint& point : study.points) {
-    if (point.method->name == method) own.push_back(point);
+    if (point.method->name() == method) own.push_back(point);
   }
   return own;
 }
@@ -189,7 +191,7 @@ TEST(CollisionTradeoff, FindsOrdersAndTheFront) {
   double share = 0;
   const CollisionTradeoff study = collision_tradeoff(elastic(), tables(), [&](double done) { share = done; });
   EXPECT_EQ(share, 1);
-  ASSERT_EQ(study.points.size(), 4u + 4u + 3u + 2u + 1u);
+  ASSERT_EQ(study.points.size(), 4u + 4u + 5u * 3u + 2u + 1u);
   EXPECT_NEAR(*study.contact_time, collision_scene(elastic()).reference.last_separation, 1e-18);
   for (const CollisionConvergence& c : study.convergence) {
     if (!c.method->steps) continue;
@@ -199,6 +201,7 @@ TEST(CollisionTradeoff, FindsOrdersAndTheFront) {
     EXPECT_LE(p.motion_rms, p.motion_largest * (1 + 1e-12));
     EXPECT_GT(p.force_evaluations, 0);
     EXPECT_EQ(p.unparted, 0);
+    EXPECT_EQ(p.phases, p.method->steps ? 8 : 1);
   }
   for (const CollisionPoint& p : study.points) {
     const bool beaten = std::any_of(study.points.begin(), study.points.end(), [&](const CollisionPoint& q) {
@@ -210,6 +213,62 @@ TEST(CollisionTradeoff, FindsOrdersAndTheFront) {
   Input one = elastic();
   one.tradeoff.methods = {Method::verlet};
   EXPECT_EQ(collision_tradeoff(one, tables()).points.size(), 4u);
+  one.tradeoff.methods = {Method::table, Method::closed_form, Method::dopri5};
+  EXPECT_EQ(collision_tradeoff(one, tables()).points.size(), 2u + 1u + 3u);
+}
+
+/// A point with this error, work and wall time [s].
+CollisionPoint known(Method word, double setting, double error, double work, double seconds) {
+  return {.method = &collision_methods()[static_cast<std::size_t>(word)],
+          .setting = setting,
+          .motion_rms = error,
+          .force_evaluations = work,
+          .seconds = seconds};
+}
+
+TEST(CollisionChoice, IsTheCheapestWhoseErrorIsAllowed) {
+  CollisionTradeoff study;
+  study.points = {known(Method::verlet, 0.4, 5e-3, 20, 6e-6), known(Method::verlet, 0.2, 5e-4, 40, 12e-6),
+                  known(Method::exact, 1e-4, 5e-5, 300, 40e-6), known(Method::dopri5, 1e-4, 4e-5, 200, 50e-6),
+                  known(Method::table, 1e-3, 9e-4, 1, 1e-7)};
+  study.points[0].unparted = 1;
+  EXPECT_THAT(
+      choices(study),
+      ElementsAre(
+          "For an error below 0.01: table at 0.001 (1 evaluation, 0.1 µs); of what integrates verlet at 0.2 (40 evaluations, 12 µs)",
+          "For an error below 0.001: table at 0.001 (1 evaluation, 0.1 µs); of what integrates verlet at 0.2 (40 evaluations, 12 µs)",
+          "For an error below 0.0001: exact at 0.0001 (300 evaluations, 40 µs); by evaluations dopri5 at 0.0001 (200 evaluations, 50 µs)",
+          "For an error below 1e-06: none of these"));
+}
+
+TEST(CollisionTradeoff, CountsTheSameWorkAndFrontAgain) {
+  const CollisionTradeoff first = collision_tradeoff(elastic(), tables()), second = collision_tradeoff(elastic(), tables());
+  ASSERT_EQ(first.points.size(), second.points.size());
+  for (std::size_t i = 0; i < first.points.size(); ++i) {
+    const CollisionPoint &a = first.points[i], &b = second.points[i];
+    EXPECT_EQ(a.force_evaluations, b.force_evaluations) << a.method->name();
+    EXPECT_EQ(a.motion_rms, b.motion_rms) << a.method->name();
+    EXPECT_EQ(a.on_front, b.on_front) << a.method->name();
+  }
+}
+
+/// Two that stick and spin on: what a step sees of them grows with run.duration, and there is a bound to that.
+Input sticking(double duration) {
+  Input input = resolved("[material]\nrolling_angle_max = 0.01\n[contact]\nnormal = \"jkr\"\ntangential = \"mindlin\"\nrolling = \"ar\"\n");
+  input.run.duration = duration;
+  input.bodies = {{.position = {0, 0, 5e-4}, .velocity = {0, 0, -0.001}, .spin = {0, 20, 0}, .radius = 5e-4},
+                  {.position = {0, 0, -5e-4}, .radius = 5e-4}};
+  return input;
+}
+
+TEST(CollisionTradeoff, OfAPairThatSticksIsBounded) {
+  Input input = sticking(4e-3);
+  input.tradeoff = {.methods = {Method::synchronized, Method::exact}, .step_fractions = {0.4}, .tolerances = {1e-4, 1e-8}, .phases = 2};
+  for (const CollisionPoint& p : collision_tradeoff(input, tables()).points) EXPECT_LT(p.motion_rms, 1e-3) << p.method->name();
+  EXPECT_THAT(
+      message_of<InputError>([] { (void)collision_tradeoff(sticking(10), tables()); }),
+      testing::MatchesRegex("run.duration: 10 s are [0-9.e+]+ steps of all study.step_fractions at study.phases = 32; allowed: at most "
+                            "2e.09, by a shorter run.duration, larger steps or fewer phases"));
 }
 
 TEST(FlowTradeoff, ComparesEachStepWithTheSmallest) {
@@ -229,7 +288,10 @@ TEST(FlowTradeoff, ComparesEachStepWithTheSmallest) {
   EXPECT_FALSE(fine.on_front);
   input.tradeoff.methods = {Method::exact};
   EXPECT_EQ(message_of<InputError>([&] { (void)flow_tradeoff(input, 1); }),
-            "study.methods: found none that follows a flow; allowed: verlet, synchronized");
+            "study.methods: found \"exact\", which follows no flow; allowed: \"verlet\", \"synchronized\"");
+  input.tradeoff.methods = {Method::synchronized, Method::table};
+  EXPECT_EQ(message_of<InputError>([&] { (void)flow_tradeoff(input, 1); }),
+            "study.methods: found \"table\", which follows no flow; allowed: \"verlet\", \"synchronized\"");
 }
 
 }  // namespace

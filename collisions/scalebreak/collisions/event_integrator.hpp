@@ -6,17 +6,15 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include <boost/math/tools/minima.hpp>
 #include <boost/math/tools/roots.hpp>
-#include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
-
-#include <scalebreak/base/error.hpp>
 
 namespace scalebreak {
 
-/// Steps a motion that is smooth between events by Fehlberg's pair 7(8), and stops on every event. `System` provides
+/// Steps a motion that is smooth between events by `Steps` (EmbeddedSteps, BulirschStoerSteps), and stops on every event. `System` provides
 ///
 ///     State                                    a range of doubles
 ///     operator()(y, rate, s)                   dy/ds
@@ -26,26 +24,33 @@ namespace scalebreak {
 /// An event lies where a value passes from at most 0 to above. Values are looked at four times in every step, on the cubic
 /// through its ends, and between the looks where a parabola through three of them peaks about zero: a short slip shows itself in that alone. The
 /// first that is found is located on the step itself.
-template <class System, class Algebra>
+template <class System, class Steps>
 class EventIntegrator {
  public:
   using State = typename System::State;
 
-  EventIntegrator(System& system, double tolerance, double first_step) : system_(system), tolerance_(tolerance), next_step_(first_step) {}
+  EventIntegrator(System& system, double tolerance, double first_step)
+      : system_(system), stepping_(tolerance, first_step), tolerance_(tolerance) {}
 
   static constexpr int none = -1;
 
   /// One step from `state`, which it moves to the step's end or to the first event on it; returns that event or `none`.
   int advance(State& state) {
+    const bool goes_on = goes_on_ && state == after_;
     before_ = state;
-    rate_ = before_;
     after_ = before_;
-    error_ = before_;
-    end_rate_ = before_;
     last_ = before_;
-    system_(before_, rate_, 0.0);
-    const double h = accepted_step();
-    system_(after_, end_rate_, 0.0);
+    if (goes_on) {
+      std::swap(rate_, end_rate_);
+      std::swap(looks_[0], looks_[parts]);
+    } else {
+      rate_ = before_;
+      end_rate_ = before_;
+      system_(before_, rate_, 0.0);
+      system_.event_values(before_, looks_[0]);
+    }
+    goes_on_ = false;
+    const double h = stepping_.take(system_, before_, rate_, after_, end_rate_, max_step_);
     look(h);
     for (int part = 0; part < parts; ++part) {
       const double from = mark(part), to = mark(part + 1);
@@ -66,6 +71,7 @@ class EventIntegrator {
       return first;
     }
     state = after_;
+    goes_on_ = true;
     last_step_ = h, last_end_ = 1;
     ++steps_;
     return none;
@@ -82,7 +88,7 @@ class EventIntegrator {
     };
     const auto exact = [&](double u) {
       scratch_ = before_;
-      if (u > 0) stepper_.do_step(std::ref(system_), before_, rate_, 0.0, scratch_, u * last_step_);
+      if (u > 0) state_at(u, last_step_, scratch_);
       return f(scratch_);
     };
     const auto at = [&](int k) { return last_end_ * k / looks; };
@@ -103,50 +109,21 @@ class EventIntegrator {
   }
 
   /// The motion has changed its law: no longer what the last steps were like.
-  void restart() { last_root_ = 1; }
+  void restart() { stepping_.restart(); }
   void limit_step(double longest) { max_step_ = longest; }
   [[nodiscard]] int steps() const { return steps_; }
 
  private:
-  using Stepper = boost::numeric::odeint::runge_kutta_fehlberg78<State, double, State, double, Algebra>;
-  static constexpr int try_cap = 2'000'000;
-
-  double accepted_step() {
-    for (;;) {
-      const double h = std::min(next_step_, max_step_);
-      stepper_.do_step(std::ref(system_), before_, rate_, 0.0, after_, h, error_);
-      double norm = 1e-8;
-      bool finite = true;
-      for (std::size_t i = 0; i < after_.size(); ++i) {
-        const double ratio = std::abs(error_[i]) / (tolerance_ * system_.scale(i));
-        finite = finite && std::isfinite(after_[i]) && std::isfinite(ratio);
-        norm = std::max(norm, ratio);
-      }
-      if (++tries_ > try_cap)
-        throw WorkError("the motion has not ended after 2000000 steps; give its [[body]] scene a run.duration, or a shorter one");
-      const double eighth_root = std::sqrt(std::sqrt(std::sqrt(norm)));
-      if (!finite || norm > 1) {
-        next_step_ = h * (finite ? std::max(0.2, 0.85 / eighth_root) : 0.1);
-        if (next_step_ > 1e-14) continue;
-        throw WorkError(finite ? "the motion stalled: its step fell to zero" : "the motion left the finite numbers");
-      }
-      next_step_ = h * std::clamp(0.88 * std::sqrt(last_root_) / eighth_root, 0.2, 4.0);
-      last_root_ = eighth_root;
-      return h;
-    }
-  }
-
   static constexpr int parts = 3;
   static double mark(int part) { return static_cast<double>(part) / parts; }
 
-  /// All values at the marks of the step.
+  /// All values at the marks of the step after its start; at its end first, where the rate has just been taken.
   void look(double h) {
-    system_.event_values(before_, looks_[0]);
+    system_.event_values(after_, looks_[parts]);
     for (int part = 1; part < parts; ++part) {
       cubic(mark(part), h, middle_);
       system_.event_values(middle_, looks_[static_cast<std::size_t>(part)]);
     }
-    system_.event_values(after_, looks_[parts]);
   }
 
   /// Where, after mark `part` and before the next, value k rises above zero and falls again, to judge by its looks; else 0.
@@ -179,9 +156,11 @@ class EventIntegrator {
 
   /// Value k at u of the step, on the step itself; `last_` is the state there.
   double value_at(std::size_t k, double u, double h) {
-    stepper_.do_step(std::ref(system_), before_, rate_, 0.0, last_, std::max(u, 0.0) * h);
+    state_at(std::max(u, 0.0), h, last_);
     return value_of(k, last_);
   }
+
+  void state_at(double u, double h, State& y) { stepping_.at(system_, before_, rate_, end_rate_, u, h, y); }
 
   /// Where value k passes zero between `from` and `to` of the step, 2 if it does not; `last_` is the state just past it.
   double locate(std::size_t k, double from, double to, double h) {
@@ -241,17 +220,15 @@ class EventIntegrator {
   }
 
   System& system_;
-  Stepper stepper_;
+  Steps stepping_;
   double tolerance_;
-  double next_step_;
   double max_step_ = std::numeric_limits<double>::infinity();
-  double last_root_ = 1;
-  State before_{}, after_{}, rate_{}, end_rate_{}, error_{}, middle_{}, last_{}, found_{}, scratch_{};
+  bool goes_on_ = false;  ///< has the last step ended without an event, so that `end_rate_` and the last look are of where the next begins?
+  State before_{}, after_{}, rate_{}, end_rate_{}, middle_{}, last_{}, found_{}, scratch_{};
   std::array<typename System::Values, parts + 1> looks_{};
   typename System::Values scratch_values_{};
   double last_step_ = 0, last_end_ = 1;  ///< of the last step: its length, and the share of it that was gone
   int steps_ = 0;
-  int tries_ = 0;
 };
 
 }  // namespace scalebreak

@@ -81,7 +81,9 @@ void add_study(std::vector<Key>& list) {
              "largest error of a body's velocity or surface speed, over the speed of a collision, up to which a step counts as stable",
              [](Input& input) -> double& { return input.study_motion_error; }));
   list.push_back(choices(
-      "study", "methods", "of tradeoff: what is compared; empty: all that suit a collision, all engines and laws of a flow",
+      "study", "methods",
+      "of tradeoff: ways to resolve a collision, of which verlet and synchronized follow flows; empty: all that suit a collision, all engines "
+      "and laws of a flow",
       words_of(method_words), 0, std::size(method_words),
       [](Input& input, const std::vector<std::size_t>& chosen) {
         input.tradeoff.methods.clear();

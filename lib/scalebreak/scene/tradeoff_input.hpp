@@ -5,9 +5,11 @@
 
 namespace scalebreak {
 
-/// What follows a collision or a flow: the soft-sphere engine by its integrators (see Integrator), the exact engine.
-enum class Method { verlet, synchronized, exact };
-inline constexpr const char* method_words[] = {"verlet", "synchronized", "exact"};
+/// What follows a collision: the soft-sphere engine by its integrators (see Integrator), which follow flows too; the exact engine, by default and by
+/// other steppers; a lookup, a formula.
+enum class Method { verlet, synchronized, exact, cash_karp54, dopri5, dopri5_dense, bulirsch_stoer, table, closed_form };
+inline constexpr const char* method_words[] = {"verlet",       "synchronized",   "exact", "cash_karp54", "dopri5",
+                                               "dopri5_dense", "bulirsch_stoer", "table", "closed_form"};
 
 /// Of a study of accuracy against cost: what is compared.
 struct TradeoffInput {

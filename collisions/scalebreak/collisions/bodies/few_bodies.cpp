@@ -10,6 +10,8 @@
 #include <scalebreak/base/error.hpp>
 #include <scalebreak/collisions/bodies/few_body_system.hpp>
 #include <scalebreak/collisions/event_integrator.hpp>
+#include <scalebreak/collisions/steps/bulirsch_stoer_steps.hpp>
+#include <scalebreak/collisions/steps/embedded_steps.hpp>
 
 namespace scalebreak {
 namespace {
@@ -63,11 +65,24 @@ class Motion {
   }
 
  private:
-  using Integrator = EventIntegrator<FewBodySystem, boost::numeric::odeint::range_algebra>;
+  template <template <class, class> class Pair>
+  using By = EmbeddedSteps<FewBodySystem::State, Pair<FewBodySystem::State, boost::numeric::odeint::range_algebra>>;
 
   /// From one change of the links to the next; true if all rests.
   bool follow() {
-    Integrator integrator(system_, options_.tolerance / 16, next_step_);
+    switch (options_.stepper) {
+      case Stepper::cash_karp54: return follow_by<By<CashKarp54>>();
+      case Stepper::dopri5: return follow_by<By<DormandPrince54>>();
+      case Stepper::dopri5_dense: return follow_by<By<DenseDormandPrince54>>();
+      case Stepper::bulirsch_stoer: return follow_by<BulirschStoerSteps>();
+      case Stepper::fehlberg78: break;
+    }
+    return follow_by<By<Fehlberg78>>();
+  }
+
+  template <class Steps>
+  bool follow_by() {
+    EventIntegrator<FewBodySystem, Steps> integrator(system_, options_.tolerance / 16, next_step_);
     double longest = options_.sample_interval / system_.time_unit();
     for (;;) {
       if (options_.sample_interval > 0) {
@@ -83,7 +98,7 @@ class Motion {
       }
       observe();
       track();
-      if (event == Integrator::none) {
+      if (event == integrator.none) {
         if (settled() || (outcome_.steps % steps_between_looks == 0 && at_rest())) return outcome_.resting = true;
         continue;
       }

@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 
+#include <scalebreak/collisions/steps/stepper.hpp>
 #include <scalebreak/scaling/mapped_laws.hpp>
 
 namespace scalebreak {
@@ -62,6 +63,7 @@ enum class ContactChange { touch, separation, slide, stick, roll, roll_stop, bri
 /// What is asked of a motion.
 struct MotionOptions {
   double tolerance = 1e-8;                                 ///< of the outcome, relative to what moves
+  Stepper stepper = Stepper::fehlberg78;                   ///< docs/tradeoff.md says why
   double duration = 0;                                     ///< [s]; 0: until nothing can meet again, or all that touches rests
   std::function<void(const MotionSample&)> observer = {};  ///< at the start, every step, every event and the end
   double sample_interval = 0;                              ///< [s]; bounds the steps for the observer's sake; 0: none
@@ -89,7 +91,7 @@ struct MotionOutcome {
   long force_evaluations = 0;  ///< of contacts and bridges, each once at every state looked at
 };
 
-/// Moves a few bodies that interact by `laws(i, j)` (i < j) to the end, exactly: adaptive steps of eighth order, every touch,
+/// Moves a few bodies that interact by `laws(i, j)` (i < j) to the end, exactly: adaptive steps, of eighth order unless asked for another, every touch,
 /// separation, slip, stick, bridge and rupture located as an event. The bodies must not overlap at the start. Throws
 /// WorkError where the motion cannot be followed.
 [[nodiscard]] MotionOutcome move_bodies(std::vector<MovingBody> bodies, const std::function<MappedLaws(int, int)>& laws,

@@ -137,6 +137,7 @@ void FewBodySystem::finish_rates(const State& y, const Link& link, std::size_t, 
 }
 
 void FewBodySystem::evaluate(const State& y) {
+  if (y == evaluated_state_ && links_ == evaluated_links_) return;
   for (std::size_t b = 0; b < bodies_.size(); ++b) acceleration_[b] = spin_rate_[b] = Vector3d::Zero();
   force_evaluations_ += static_cast<long>(links_.size());
   double product = 1;
@@ -159,6 +160,8 @@ void FewBodySystem::evaluate(const State& y) {
   }
   hold_rigid_rolling(y);
   for (std::size_t c = 0; c < links_.size(); ++c) finish_rates(y, links_[c], link_at(c), evaluated_[c]);
+  evaluated_state_ = y;
+  evaluated_links_ = links_;
 }
 
 }  // namespace scalebreak

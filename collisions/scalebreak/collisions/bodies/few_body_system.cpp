@@ -125,6 +125,7 @@ std::vector<MovingBody> FewBodySystem::bodies(const State& y) const {
 void FewBodySystem::relink() {
   std::fill(link_of_.begin(), link_of_.end(), -1);
   evaluated_.resize(links_.size());
+  evaluated_state_.clear();  // a change works on what was evaluated
   scale_.assign(9 * bodies_.size() + block_size * links_.size() + 1, 1.0);
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     for (std::size_t k = 0; k < 3; ++k) {

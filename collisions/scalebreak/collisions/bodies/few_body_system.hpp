@@ -26,6 +26,8 @@ struct Link {
   bool outgoing = false;
   int turn_backs = 0;
   Eigen::Vector3d normal_at_touch{0, 0, 0};
+
+  bool operator==(const Link&) const = default;
 };
 
 /// What happens to a link, in the order of its event values.
@@ -152,6 +154,7 @@ class FewBodySystem {
 
   [[nodiscard]] double scaled_overlap(const State& y, std::size_t link) const;
   void set_units();
+  /// Of the state and the links that it was of last, it does nothing.
   void evaluate(const State& y);
   void evaluate_geometry(const State& y, const Link& link, std::size_t at, Evaluated& e) const;
   void evaluate_normal(const State& y, const Link& link, std::size_t at, Evaluated& e) const;
@@ -194,6 +197,8 @@ class FewBodySystem {
   std::vector<int> link_of_;  ///< by pair, −1 without
   std::vector<double> scale_;
   std::vector<Evaluated> evaluated_;
+  State evaluated_state_;              ///< of which `evaluated_` is; empty: of none
+  std::vector<Link> evaluated_links_;  ///< as they were then
   std::vector<Eigen::Vector3d> acceleration_, spin_rate_;
   double time_rate_ = 1;
   EnergyAccount spent_;  ///< by links that are no more

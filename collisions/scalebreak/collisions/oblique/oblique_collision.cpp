@@ -8,6 +8,7 @@
 
 #include <scalebreak/base/error.hpp>
 #include <scalebreak/collisions/event_integrator.hpp>
+#include <scalebreak/collisions/steps/embedded_steps.hpp>
 #include <scalebreak/contact/normal_point.hpp>
 #include <scalebreak/contact/slider.hpp>
 
@@ -296,7 +297,9 @@ ObliqueOutcome resolve(const Law& law, const ObliquePair& pair, const ObliqueImp
   auto y = system.start(impact, outcome);
   // What a slow pair has left at separation is the small difference of larger energies.
   const double share = impact.normal_speed / system.scale(approach);
-  EventIntegrator<System, boost::numeric::odeint::array_algebra> integrator(system, std::max(1e-15, 2 * tolerance * share * share), 0.05);
+  using State = typename System::State;
+  using Steps = EmbeddedSteps<State, Fehlberg78<State, boost::numeric::odeint::array_algebra>>;
+  EventIntegrator<System, Steps> integrator(system, std::max(1e-15, 2 * tolerance * share * share), 0.05);
   for (int events = 0; events < 10'000;) {
     const int event = integrator.advance(y);
     if (event < 0) continue;

@@ -23,7 +23,7 @@ plot 'front_work.csv' using 1:2 with lines lw 2.5 lc rgb '#000000' title 'front'
      'tradeoff.csv' using 18:(strcol(1) eq 'sup keeping cell (dem)' && $10 > 0 ? ($10) : NaN):12:13 with yerrorbars pt 1 ps 0.99 lw 1.6 lc rgb '#8B4513' title 'sup keeping cell (dem)', \
      'tradeoff.csv' using 18:(strcol(1) eq 'hybrid' && $10 > 0 ? ($10) : NaN):12:13 with yerrorbars pt 2 ps 0.91 lw 1.6 lc rgb '#7F7F7F' title 'hybrid', \
      'tradeoff.csv' using 18:(strcol(1) eq 'event' && $10 > 0 ? ($10) : NaN):12:13 with yerrorbars pt 3 ps 0.83 lw 1.6 lc rgb '#B0A000' title 'event', \
-     'tradeoff.csv' using ($18/1.4):(0.0282744) with lines lw 1.8 lc rgb '#7F7F7F' title 'not told apart below 2.8 %'
+     'tradeoff.csv' using ($18/1.4):(0.0267982) with lines lw 1.8 lc rgb '#7F7F7F' title 'not told apart below 2.7 %'
 set terminal pngcairo size 1350,780 font 'sans,15'
 set output 'front_work.png'
 replot

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <scalebreak/ensembles/tradeoff/collision_choice.hpp>
 #include <scalebreak/ensembles/tradeoff/tradeoff_files.hpp>
 #include <scalebreak/output/atomic_file.hpp>
 #include <scalebreak/output/csv.hpp>
@@ -18,7 +19,7 @@ Csv csv_of(const std::vector<CollisionPoint>& points) {
   Csv csv({"method", "setting [-]", "step [s]", "phases", "unparted", "motion_error_rms [-]", "motion_error_largest [-]",
            "energy_gain_mean [-]", "contact_time_error_rms [-]", "contact_time_error_largest [-]", "force_evaluations", "wall_time [s]"});
   for (const CollisionPoint& p : points)
-    csv.add({std::string(p.method->name), p.setting, p.step > 0 ? CsvCell(p.step) : CsvCell(), static_cast<double>(p.phases),
+    csv.add({std::string(p.method->name()), p.setting, p.step > 0 ? CsvCell(p.step) : CsvCell(), static_cast<double>(p.phases),
              static_cast<double>(p.unparted), p.motion_rms, p.motion_largest, p.energy_mean, cell(p.time_rms), cell(p.time_largest),
              p.force_evaluations, p.seconds});
   return csv;
@@ -64,7 +65,7 @@ std::vector<Plot> plots_of(const CollisionTradeoff& study, const std::string& ti
     const bool there =
         std::any_of(study.points.begin(), study.points.end(), [&](const CollisionPoint& point) { return point.method == &method; });
     if (!there) continue;
-    const std::string only = fmt::format("strcol(1) eq '{}'", method.name), name = method.name;
+    const std::string only = fmt::format("strcol(1) eq '{}'", method.name()), name = method.name();
     const auto curve = [&](const char* x, const char* y, const std::string& what, bool points) {
       return Curve{"tradeoff.csv", x, y, what, points, style, only};
     };
@@ -93,7 +94,7 @@ std::string number(const std::optional<double>& value) { return value ? fmt::for
 void add_table(HtmlReport& report, const CollisionTradeoff& study) {
   std::vector<std::vector<std::string>> rows;
   for (const CollisionPoint& p : study.points)
-    rows.push_back({p.method->name, fmt::format("{:g}", p.setting), fmt::format("{:.2e}", p.motion_rms),
+    rows.push_back({p.method->name(), fmt::format("{:g}", p.setting), fmt::format("{:.2e}", p.motion_rms),
                     fmt::format("{:.2e}", p.motion_largest), fmt::format("{:+.1e}", p.energy_mean), number(p.time_rms),
                     fmt::format("{:.1f}", p.force_evaluations), fmt::format("{:.1f}", 1e6 * p.seconds),
                     fmt::format("{} of {}", p.unparted, p.phases), p.on_front ? "yes" : ""});
@@ -124,15 +125,20 @@ std::vector<std::string> write_tradeoff(const CollisionTradeoff& study, const st
                   reference_tolerance, study.speed));
   report.heading("Order of convergence");
   for (const CollisionConvergence& c : study.convergence) {
-    report.paragraph(fmt::format("{}: {}; of the contact time: {}.", c.method->name, in_words(c.motion, c.method->setting),
+    report.paragraph(fmt::format("{}: {}; of the contact time: {}.", c.method->name(), in_words(c.motion, c.method->setting),
                                  in_words(c.contact_time, c.method->setting)));
   }
   report.paragraph(
-      "How to read it: the slope of a line is its order; the front is what no other setting beats in error and work. What to choose: the cheapest "
-      "setting on the front whose error is allowed; a flow, in which collisions begin anywhere in a step, sees the mean, as of the energy gained, "
-      "which is smaller.");
+      "What it shows: the error of the soft-sphere engine's collisions over its step. How to read it: the slope of a line is its order. What to "
+      "choose: the largest step whose error is allowed; a flow, in which collisions begin anywhere in a step, sees the mean, as of the energy "
+      "gained, which is smaller.");
   report.figure(out / "convergence.svg", "Over the phases of a step at which the collision begins.");
   report.heading("Front");
+  report.paragraph(
+      "What it shows: the error of each method at each of its settings, over what it costs; exact is the exact engine, and so are the methods that "
+      "are named after a stepper. How to read it: a mark is better the lower and the further to the left; the line is the front, what no other "
+      "mark beats in both. What to choose, by wall time:");
+  for (const std::string& each : choices(study)) report.paragraph(each + ".");
   report.figure(out / "front.svg", "Work counted: a contact's force, each time that it is evaluated; a lookup and a formula are one.");
   report.figure(out / "front_wall_time.svg", "The same by wall time on this machine.");
   for (const std::string& each : study.refusals) report.paragraph(each + ".");

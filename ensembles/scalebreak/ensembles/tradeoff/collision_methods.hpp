@@ -18,17 +18,17 @@ struct PreparedCollision {
 
 /// A way to resolve a collision, with one setting that makes it better the smaller it is.
 struct CollisionMethod {
-  const char* name;
-  std::optional<Method> word;                                         ///< of study.methods; none: it comes along where that is empty
+  Method word;                                                        ///< of study.methods
   const char* setting;                                                ///< "step_fraction", "tolerance"; "" where there is none
   bool steps = false;                                                 ///< has it steps of time, and so phases of them?
   std::function<std::vector<double>(const TradeoffInput&)> settings;  ///< those to compare
   std::function<PreparedCollision(const CollisionScene&, double setting, const TableStore&)> prepare;
 
+  [[nodiscard]] const char* name() const { return method_words[static_cast<std::size_t>(word)]; }
   [[nodiscard]] bool has_setting() const { return *setting != 0; }
 };
 
-/// All of them.
+/// All of them, in the order of their words.
 [[nodiscard]] const std::vector<CollisionMethod>& collision_methods();
 
 /// A method at one setting. Errors are those of CollisionError over the phases at which the collision begins.
@@ -36,7 +36,7 @@ struct CollisionPoint {
   const CollisionMethod* method = nullptr;
   double setting = 0;                            ///< 0 where the method has none
   double step = 0;                               ///< [s]; 0 without steps
-  int phases = 0, unparted = 0;                  ///< runs, and those in which what should have parted had not
+  int phases = 0, unparted = 0;                  ///< runs, one without steps, and those in which what should have parted had not
   double motion_rms = 0, motion_largest = 0;     ///< over the scene's speed
   double energy_mean = 0;                        ///< gained, over that at the start
   std::optional<double> time_rms, time_largest;  ///< of the contact time, relative

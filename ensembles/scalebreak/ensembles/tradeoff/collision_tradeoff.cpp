@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <scalebreak/base/error.hpp>
 #include <scalebreak/ensembles/tradeoff/front.hpp>
 #include <scalebreak/ensembles/tradeoff/stepped_collision.hpp>
 
@@ -19,7 +20,7 @@ std::vector<const CollisionMethod*> methods_of(const Input& input) {
   std::vector<const CollisionMethod*> chosen;
   const auto& asked = input.tradeoff.methods;
   for (const CollisionMethod& method : collision_methods()) {
-    const bool named = method.word && std::find(asked.begin(), asked.end(), *method.word) != asked.end();
+    const bool named = std::find(asked.begin(), asked.end(), method.word) != asked.end();
     if (asked.empty() || named) chosen.push_back(&method);
   }
   return chosen;
@@ -47,15 +48,37 @@ std::vector<std::string> sentences_of(const CollisionMethod& method, const std::
     std::vector<double> settings;
     const std::string& reason = it->second;
     for (; it != refused.end() && it->second == reason; ++it) settings.push_back(it->first);
-    sentences.push_back(method.has_setting() ? fmt::format("{} at {:g}: {}", method.name, fmt::join(settings, ", "), reason)
-                                             : fmt::format("{}: {}", method.name, reason));
+    sentences.push_back(method.has_setting() ? fmt::format("{} at {:g}: {}", method.name(), fmt::join(settings, ", "), reason)
+                                             : fmt::format("{}: {}", method.name(), reason));
   }
   return sentences;
 }
 
+/// Of a stiff contact, in Rayleigh times.
+constexpr double contact_time = 7;
+
+/// Half an hour of a core.
+constexpr double most_steps = 2e9;
+
 }  // namespace
 
+double soft_sphere_steps(const Input& input) {
+  const CollisionScene scene{.input = input, .moving = moving_scene(input), .reference = {}, .duration = input.run.duration};
+  double steps = 0;
+  for (const CollisionMethod* method : methods_of(input)) {
+    if (!method->steps) continue;
+    for (const double fraction : method->settings(input.tradeoff))
+      steps += input.run.duration > 0 ? input.run.duration / step_of(scene, fraction) : contact_time / fraction;
+  }
+  return steps * static_cast<double>(input.tradeoff.phases);
+}
+
 CollisionTradeoff collision_tradeoff(const Input& input, const TableStore& store, const std::function<void(double)>& progress) {
+  if (const double steps = soft_sphere_steps(input); steps > most_steps)
+    throw InputError(fmt::format(
+        "run.duration: {:g} s are {:.2g} steps of all study.step_fractions at study.phases = {}; allowed: at most {:g}, by a shorter "
+        "run.duration, larger steps or fewer phases",
+        input.run.duration, steps, input.tradeoff.phases, most_steps));
   const CollisionScene scene = collision_scene(input);
   CollisionTradeoff study{.speed = scene.speed, .rayleigh_step = step_of(scene, 1)};
   if (scene.moving.bodies.size() == 2 && scene.reference.last_separation > 0)
@@ -66,11 +89,15 @@ CollisionTradeoff collision_tradeoff(const Input& input, const TableStore& store
   for (const CollisionMethod* method : methods) {
     std::vector<std::pair<double, std::string>> refused;
     for (const double setting : method->settings(input.tradeoff)) {
-      const PreparedCollision prepared = method->prepare(scene, setting, store);
-      if (prepared.resolve) {
-        study.points.push_back(measure_collision(scene, *method, setting, prepared, static_cast<int>(input.tradeoff.phases)));
-      } else {
-        refused.emplace_back(setting, prepared.refusal);
+      try {
+        const PreparedCollision prepared = method->prepare(scene, setting, store);
+        if (prepared.resolve) {
+          study.points.push_back(measure_collision(scene, *method, setting, prepared, static_cast<int>(input.tradeoff.phases)));
+        } else {
+          refused.emplace_back(setting, prepared.refusal);
+        }
+      } catch (const WorkError& failed) {
+        refused.emplace_back(setting, failed.what());
       }
       if (progress) progress(static_cast<double>(++done) / static_cast<double>(count));
     }

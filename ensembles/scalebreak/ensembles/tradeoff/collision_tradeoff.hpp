@@ -26,8 +26,11 @@ struct CollisionTradeoff {
   std::vector<std::string> refusals;  ///< sentences on the methods that have no point, or not at each setting
 };
 
+/// Steps of the soft-sphere engine that the study of a collision takes, about.
+[[nodiscard]] double soft_sphere_steps(const Input& input);
+
 /// Of the input's pair or bodies, by the methods and settings of [study]. `progress` is told the share that is done. Serial, as it
-/// measures wall times. Throws what `collision_scene` throws.
+/// measures wall times. Throws what `collision_scene` throws, and InputError where run.duration takes steps without end.
 [[nodiscard]] CollisionTradeoff collision_tradeoff(const Input& input, const TableStore& store,
                                                    const std::function<void(double)>& progress = {});
 

@@ -30,7 +30,12 @@ std::vector<FlowMethod> methods_of(const Input& input) {
   for (const FlowMethod& method : flow_methods) {
     if (asked.empty() || std::find(asked.begin(), asked.end(), method.method) != asked.end()) chosen.push_back(method);
   }
-  if (chosen.empty()) throw InputError("study.methods: found none that follows a flow; allowed: verlet, synchronized");
+  for (const Method method : asked) {
+    const bool follows = std::any_of(chosen.begin(), chosen.end(), [&](const FlowMethod& each) { return each.method == method; });
+    if (!follows)
+      throw InputError(fmt::format("study.methods: found \"{}\", which follows no flow; allowed: \"verlet\", \"synchronized\"",
+                                   method_words[static_cast<std::size_t>(method)]));
+  }
   return chosen;
 }
 

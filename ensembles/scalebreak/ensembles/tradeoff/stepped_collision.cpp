@@ -77,9 +77,9 @@ CollisionOutcome step_collision(const CollisionScene& scene, Integrator integrat
   return outcome;
 }
 
-CollisionOutcome move_collision(const CollisionScene& scene, double tolerance) {
+CollisionOutcome move_collision(const CollisionScene& scene, double tolerance, Stepper stepper) {
   const auto began = Clock::now();
-  const MotionOutcome end = scene.moving.move({.tolerance = tolerance, .duration = scene.duration});
+  const MotionOutcome end = scene.moving.move({.tolerance = tolerance, .stepper = stepper, .duration = scene.duration});
   CollisionOutcome outcome{.bodies = end.bodies, .force_evaluations = static_cast<double>(end.force_evaluations)};
   outcome.seconds = seconds_since(began);
   outcome.parted = scene.duration > 0 || end.open_contacts == 0;

@@ -21,7 +21,7 @@ struct SteppedStart {
 /// twice the time that it takes exactly has not parted. Of force evaluations those of touching solids are counted.
 [[nodiscard]] CollisionOutcome step_collision(const CollisionScene& scene, Integrator integrator, double step, double phase);
 
-/// The same by the exact engine.
-[[nodiscard]] CollisionOutcome move_collision(const CollisionScene& scene, double tolerance);
+/// The same by the exact engine. Throws what `move_bodies` throws.
+[[nodiscard]] CollisionOutcome move_collision(const CollisionScene& scene, double tolerance, Stepper stepper = MotionOptions{}.stepper);
 
 }  // namespace scalebreak

@@ -16,7 +16,7 @@ const char* word(Method method) { return method_words[static_cast<std::size_t>(m
 json tradeoff_json(const CollisionTradeoff& study) {
   json points = json::array(), orders = json::array();
   for (const CollisionPoint& p : study.points)
-    points.push_back({{"method", p.method->name},
+    points.push_back({{"method", p.method->name()},
                       {"setting", p.setting},
                       {"step", p.step > 0 ? json(p.step) : json()},
                       {"phases", p.phases},
@@ -30,7 +30,7 @@ json tradeoff_json(const CollisionTradeoff& study) {
                       {"wall_seconds", p.seconds},
                       {"on_front", p.on_front}});
   for (const CollisionConvergence& c : study.convergence)
-    orders.push_back({{"method", c.method->name},
+    orders.push_back({{"method", c.method->name()},
                       {"order", number(c.motion.order)},
                       {"order_error", number(c.motion.error)},
                       {"contact_time_order", number(c.contact_time.order)},

@@ -16,7 +16,11 @@ set output 'front_wall_time.svg'
 plot 'tradeoff.csv' using (1e6*$12):(strcol(1) eq 'verlet' ? ($6) : NaN) with points pt 4 ps 1.47 lw 1.6 lc rgb '#0072B2' title 'verlet', \
      'tradeoff.csv' using (1e6*$12):(strcol(1) eq 'synchronized' ? ($6) : NaN) with points pt 6 ps 1.39 lw 1.6 lc rgb '#D55E00' title 'synchronized', \
      'tradeoff.csv' using (1e6*$12):(strcol(1) eq 'exact' ? ($6) : NaN) with points pt 8 ps 1.31 lw 1.6 lc rgb '#009E73' title 'exact', \
-     'tradeoff.csv' using (1e6*$12):(strcol(1) eq 'table' ? ($6) : NaN) with points pt 10 ps 1.23 lw 1.6 lc rgb '#CC79A7' title 'table'
+     'tradeoff.csv' using (1e6*$12):(strcol(1) eq 'cash_karp54' ? ($6) : NaN) with points pt 10 ps 1.23 lw 1.6 lc rgb '#CC79A7' title 'cash\_karp54', \
+     'tradeoff.csv' using (1e6*$12):(strcol(1) eq 'dopri5' ? ($6) : NaN) with points pt 12 ps 1.15 lw 1.6 lc rgb '#E69F00' title 'dopri5', \
+     'tradeoff.csv' using (1e6*$12):(strcol(1) eq 'dopri5_dense' ? ($6) : NaN) with points pt 14 ps 1.07 lw 1.6 lc rgb '#56B4E9' title 'dopri5\_dense', \
+     'tradeoff.csv' using (1e6*$12):(strcol(1) eq 'bulirsch_stoer' ? ($6) : NaN) with points pt 1 ps 0.99 lw 1.6 lc rgb '#8B4513' title 'bulirsch\_stoer', \
+     'tradeoff.csv' using (1e6*$12):(strcol(1) eq 'table' ? ($6) : NaN) with points pt 2 ps 0.91 lw 1.6 lc rgb '#7F7F7F' title 'table'
 set terminal pngcairo size 1350,780 font 'sans,15'
 set output 'front_wall_time.png'
 replot
