@@ -6,6 +6,7 @@
 
 #include <scalebreak/collisions/normal/pair_collision.hpp>
 #include <scalebreak/ensembles/breakdown/study_quantities.hpp>
+#include <scalebreak/ensembles/prediction/cooling_prediction.hpp>
 #include <scalebreak/ensembles/prediction/prediction_file.hpp>
 #include <scalebreak/output/atomic_file.hpp>
 #include <scalebreak/output/plot.hpp>
@@ -13,16 +14,12 @@
 namespace scalebreak {
 namespace {
 
-const QuantityModel& model_of(const DeviationModel& model, const std::string& quantity) {
-  for (const QuantityModel& each : model.quantities) {
-    if (each.quantity == quantity) return each;
-  }
-  return model.quantities.front();
-}
-
 const char* part_of(const DeviationModel& model, const TrainingRow& row, RowsAre are) {
-  if (beyond_model(row.scaled) > 0) return row.scaled.overlap > deep_overlap ? "too_deep" : "lumps";
-  if (are == RowsAre::fitted_to) return held_back(model.seed, row.key) ? "held_back" : "fitted";
+  if (beyond_model(row.original, row.scaled) > 0) return row.scaled.overlap > deep_overlap ? "too_deep" : "lumps";
+  if (are == RowsAre::fitted_to) {
+    if (row.original.regime == FlowRegime::cooling) return "by_theory";
+    return held_back(model.seed, row.key) ? "held_back" : "fitted";
+  }
   return are == RowsAre::unseen ? "unseen" : "not_run";
 }
 
@@ -75,7 +72,7 @@ Csv prediction_csv(const DeviationModel& model, const TrainingRows& training, Ro
   }
   Csv csv(header);
   for (const TrainingRow& row : training.rows) {
-    const Measured predicted = predict(model_of(model, row.quantity), row.original, row.scaled).deviation;
+    const Measured expected = predicted(model.quantities, row.quantity, row.original, row.scaled).deviation;
     std::vector<CsvCell> cells = {row.study,
                                   row.law,
                                   row.factor,
@@ -85,8 +82,8 @@ Csv prediction_csv(const DeviationModel& model, const TrainingRows& training, Ro
                                   row.quantity,
                                   known(row.deviation.value),
                                   known(row.deviation.error),
-                                  predicted.value,
-                                  predicted.error};
+                                  expected.value,
+                                  expected.error};
     for (const ScaleGroups* groups : {&row.scaled, &row.original}) {
       for (const auto& [name, value] : named_groups(*groups)) cells.emplace_back(value);
     }
@@ -114,12 +111,13 @@ std::vector<std::string> forecast_sentences(const DeviationModel& model, const T
   for (const TrainingRow& row : forecast.rows) {
     if (list.empty() || row.key != cell) {
       list.push_back(fmt::format("{} at {:g}{}{}: ", row.law, row.factor, row.point.empty() ? "" : ", ", row.point));
-      if (beyond_model(row.scaled) > 0) list.back() += fmt::format("beyond the model ({}): ", part_of(model, row, RowsAre::not_run));
+      if (beyond_model(row.original, row.scaled) > 0)
+        list.back() += fmt::format("beyond the model ({}): ", part_of(model, row, RowsAre::not_run));
     } else {
       list.back() += ", ";
     }
     cell = row.key;
-    const Measured off = predict(model_of(model, row.quantity), row.original, row.scaled).deviation;
+    const Measured off = predicted(model.quantities, row.quantity, row.original, row.scaled).deviation;
     list.back() += fmt::format("{} {:+.1f} % ± {:.1f} %", study_quantity(row.quantity).what, 100 * off.value, 100 * off.error);
   }
   return list;
