@@ -29,6 +29,12 @@ std::vector<std::string> engines_of(const StudyResult& study) {
   return engines;
 }
 
+/// In per cent, large ones without decimals.
+std::string label_of(const Measured& deviation) {
+  const int digits = std::abs(deviation.value) < 1 ? 1 : 0;
+  return fmt::format("{:+.{}f} ± {:.{}f}", 100 * deviation.value, digits, 100 * deviation.error, digits);
+}
+
 MapPlot map_of(const StudyResult& study, const std::string& quantity, const std::string& engine, const std::string& parameter) {
   MapPlot map{.x_label = "law and factor",
               .y_label = "",
@@ -43,8 +49,7 @@ MapPlot map_of(const StudyResult& study, const std::string& quantity, const std:
     if (of.asked != engine || !c || !std::isfinite(c->relative.value)) continue;
     const std::string point = of.point.name(parameter);
     map.fields.push_back({place_of(map.columns, fmt::format("{} {:g}", of.law, of.factor)),
-                          place_of(map.rows, point.empty() ? "the scene" : point), 100 * c->relative.value,
-                          fmt::format("{:+.1f} ± {:.1f}", 100 * c->relative.value, 100 * c->relative.error)});
+                          place_of(map.rows, point.empty() ? "the scene" : point), 100 * c->relative.value, label_of(c->relative)});
   }
   return map;
 }

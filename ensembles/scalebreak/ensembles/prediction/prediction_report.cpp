@@ -1,5 +1,6 @@
 #include <scalebreak/ensembles/prediction/prediction_report.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -100,7 +101,9 @@ std::vector<std::string> sentences(const std::map<std::string, Validation>& vali
         "than 3 %, {} of {} without the enlarged",
         what, v.rows, 100 * v.rms, v.rms_over_error, v.within_factor, v.off, v.softened_within_factor, v.softened_off));
   };
-  for (const auto& [quantity, v] : validation) add(study_quantity(quantity).what, v);
+  for (const auto& [quantity, v] : validation) {
+    if (v.rows > 0) add(study_quantity(quantity).what, v);
+  }
   add("all together", together(validation));
   return list;
 }
@@ -128,6 +131,7 @@ std::vector<std::string> write_rows(const DeviationModel& model, const TrainingR
   std::vector<std::string> missing;
   if (are == RowsAre::not_run) return missing;
   for (const QuantityModel& q : model.quantities) {
+    if (std::none_of(rows.rows.begin(), rows.rows.end(), [&](const TrainingRow& row) { return row.quantity == q.quantity; })) continue;
     const Plot plot = plot_of(q.quantity, are);
     if (!draw(plot, out)) missing.push_back(plot.name);
   }
