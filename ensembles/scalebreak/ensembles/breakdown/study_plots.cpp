@@ -69,6 +69,11 @@ std::string row_condition(const std::string& law, double factor, const std::stri
                      study_column::quantity, quantity);
 }
 
+/// Of the legend.
+std::string name_of(const std::string& law, double factor) {
+  return law == "none" && factor == 1 ? "original" : fmt::format("{} {:g}", law, factor);
+}
+
 Plot over_points(const StudyResult& study, const StudyQuantity& quantity, const char* column, const std::string& label,
                  const std::string& title) {
   Plot plot{.name = fmt::format("{}_over_{}", quantity.name, column == study_column::value ? "parameter" : "volume_fraction"),
@@ -79,11 +84,10 @@ Plot over_points(const StudyResult& study, const StudyQuantity& quantity, const 
             .curves = {}};
   int style = 0;
   for (const auto& [law, factor] : laws_and_factors(study)) {
-    const bool original = law == "none" && factor == 1;
     plot.curves.push_back({.file = "study.csv",
                            .x = column,
                            .y = "(abs($9))",
-                           .title = original ? "original" : fmt::format("{} {:g}", law, factor),
+                           .title = name_of(law, factor),
                            .points = true,
                            .style = style++,
                            .only = row_condition(law, factor, quantity.name),
@@ -139,7 +143,7 @@ Plot patch_plot(const StudyResult& study, const std::string& title) {
     plot.curves.push_back({.file = "study.csv",
                            .x = study_column::coordination,
                            .y = study_column::patch_fraction,
-                           .title = fmt::format("{} {:g}", law, factor),
+                           .title = name_of(law, factor),
                            .points = true,
                            .style = style++,
                            .only = row_condition(law, factor, "temperature")});
