@@ -59,7 +59,9 @@ GasTemperatures change(const RoughCollision& c, const Vector3d& motion, const Ve
 TEST(CoolingGas, ChangeIsTheMeanOverCollisions) {
   std::mt19937_64 stream(3);
   std::normal_distribution<double> normal;
-  const auto vector = [&](double variance) -> Vector3d { return Vector3d(normal(stream), normal(stream), normal(stream)) * std::sqrt(variance); };
+  const auto vector = [&](double variance) -> Vector3d {
+    return Vector3d(normal(stream), normal(stream), normal(stream)) * std::sqrt(variance);
+  };
   for (const auto& [c, at] : std::vector<std::pair<RoughCollision, GasTemperatures>>{
            {{.restitution = 0.8, .friction = 0.3}, {1, 0.01}},
            {{.restitution = 0.8, .friction = 0.3}, {1, 3}},
