@@ -21,81 +21,58 @@ using nlohmann::json;
 /// Of the tangential and rolling outcomes; the normal ones have numerics.table_tolerance.
 constexpr double oblique_tolerance = 1e-4;
 
-/// Mean time of a lookup at one damping ratio [ns], over scattered speeds.
-double measure_lookup(const CollisionTable& table) {
-  const TableRow row = *table.row(0.1);
+/// Mean time of a lookup [ns], over scattered words of 32 bits; `find` gives a number of what it found, 0 for nothing.
+template <class Find>
+double lookup_nanoseconds(const Find& find) {
   constexpr int count = 1'000'000;
   unsigned random = 1;
   double sum = 0;
   const auto start = std::chrono::steady_clock::now();
   for (int i = 0; i < count; ++i) {
     random = random * 1664525u + 1013904223u;
-    const auto found = row.find(1.5 + 1e-5 * (random >> 8));
-    sum += found ? found->contact_time : 0;
+    sum += find(random);
   }
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return sum > 0 ? seconds / count * 1e9 : 0;
 }
 
-json table_json(const StoredTable& stored) {
+/// A speed above `slowest` of such a word.
+double scattered_speed(double slowest, unsigned random) { return slowest + 1e-5 * (random >> 8); }
+
+/// What a table of any sort says of itself.
+template <class Stored>
+json table_json(const Stored& stored, std::size_t entries, double lookup_ns) {
+  return {{"kind", to_string(stored.table.key().kind)},
+          {"tolerance", stored.table.key().tolerance},
+          {"entries", entries},
+          {"error_max", stored.table.quality().error_max},
+          {"error_rms", stored.table.quality().error_rms},
+          {"built", stored.built},
+          {"build_seconds", stored.build_seconds},
+          {"lookup_ns", lookup_ns}};
+}
+
+json normal_json(const StoredTable& stored) {
   const CollisionTable& table = stored.table;
-  return {{"kind", to_string(table.key().kind)},
-          {"tolerance", table.key().tolerance},
-          {"entries", table.nodes().size()},
-          {"error_max", table.quality().error_max},
-          {"error_rms", table.quality().error_rms},
-          {"sticking_speed_error", table.quality().sticking_speed_error},
-          {"max_overlap_error", table.quality().max_overlap_error},
-          {"built", stored.built},
-          {"build_seconds", stored.build_seconds},
-          {"lookup_ns", measure_lookup(table)}};
+  const TableRow row = *table.row(0.1);
+  json j = table_json(stored, table.nodes().size(), lookup_nanoseconds([&](unsigned random) {
+                        const auto found = row.find(scattered_speed(1.5, random));
+                        return found ? found->contact_time : 0;
+                      }));
+  j["sticking_speed_error"] = table.quality().sticking_speed_error, j["max_overlap_error"] = table.quality().max_overlap_error;
+  return j;
 }
 
-/// Mean time of a lookup of an oblique or a rolling table [ns], over scattered speeds and ratios.
-template <class Table>
-double measure_scattered_lookup(const Table& table, double sticking_squared) {
-  constexpr int count = 1'000'000;
-  unsigned random = 1;
-  int found = 0;
+/// Of an oblique or a rolling table.
+template <class Stored>
+json surface_json(const Stored& stored, const std::string& surface, double sticking_squared) {
+  const auto& table = stored.table;
   const double slowest = 1.2 * std::sqrt(sticking_squared) + 1;
-  const auto start = std::chrono::steady_clock::now();
-  for (int i = 0; i < count; ++i) {
-    random = random * 1664525u + 1013904223u;
-    found += table.find(slowest + 1e-5 * (random >> 8), 1e-4 * (random & 0xffff)).has_value();
-  }
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  return found > 0 ? seconds / count * 1e9 : 0;
-}
-
-json oblique_json(const StoredObliqueTable& stored) {
-  const ObliqueTable& table = stored.table;
-  return {{"kind", to_string(table.key().kind)},
-          {"surface", to_string(table.key().surface)},
-          {"tolerance", table.key().tolerance},
-          {"entries", table.entries().values().size()},
-          {"cells", table.entries().cells()},
-          {"bytes", table.bytes()},
-          {"error_max", table.quality().error_max},
-          {"error_rms", table.quality().error_rms},
-          {"turning_error_median", table.quality().turning_error_median},
-          {"built", stored.built},
-          {"build_seconds", stored.build_seconds},
-          {"lookup_ns", measure_scattered_lookup(table, table.sticking_squared())}};
-}
-
-json rolling_json(const StoredRollingTable& stored) {
-  const RollingTable& table = stored.table;
-  return {{"kind", to_string(table.key().kind)},
-          {"surface", std::string("rolling ") + to_string(table.key().model)},
-          {"tolerance", table.key().tolerance},
-          {"entries", table.entries().values().size()},
-          {"cells", table.entries().cells()},
-          {"bytes", table.bytes()},
-          {"error_max", table.quality().error_max},
-          {"error_rms", table.quality().error_rms},
-          {"built", stored.built},
-          {"build_seconds", stored.build_seconds},
-          {"lookup_ns", measure_scattered_lookup(table, table.plane().sticking_squared)}};
+  json j = table_json(stored, table.entries().values().size(), lookup_nanoseconds([&](unsigned random) {
+                        return table.find(scattered_speed(slowest, random), 1e-4 * (random & 0xffff)) ? 1.0 : 0.0;
+                      }));
+  j["surface"] = surface, j["cells"] = table.entries().cells(), j["bytes"] = table.bytes();
+  return j;
 }
 
 /// The pair's own table of oblique collisions, if the input has friction: beside the table of its normal collisions.
@@ -105,7 +82,10 @@ json oblique_result(const Options& options, const Input& input) {
     options.say("no oblique table: " + reason);
     return nullptr;
   }
-  return oblique_json(obtain_oblique_table(*key, options.store(), options.rebuild));
+  const StoredObliqueTable stored = obtain_oblique_table(*key, options.store(), options.rebuild);
+  json j = surface_json(stored, to_string(key->surface), stored.table.sticking_squared());
+  j["turning_error_median"] = stored.table.quality().turning_error_median;
+  return j;
 }
 
 /// And of its rolling, if the input resists that.
@@ -115,7 +95,8 @@ json rolling_result(const Options& options, const Input& input) {
     options.say("no rolling table: " + reason);
     return nullptr;
   }
-  return rolling_json(obtain_rolling_table(*key, options.store(), options.rebuild));
+  const StoredRollingTable stored = obtain_rolling_table(*key, options.store(), options.rebuild);
+  return surface_json(stored, std::string("rolling ") + to_string(key->model), stored.table.plane().sticking_squared);
 }
 
 /// The rows of nine restitutions put in, as a CSV and as plots of the restitution and the contact time that come out.
@@ -156,21 +137,17 @@ void write_files(const Options& options, const CollisionTable& table) {
   }
 }
 
-void print_of_pair(const char* what, const json& j) {
-  fmt::print(
-      "{}, {}: {} entries in {} cells, {:.1f} MiB, largest error {:.2e} (asked {:g}), rms {:.2e}, {}, {:.0f} ns a lookup\n", what,
-      j["surface"].get<std::string>(), j["entries"].get<std::size_t>(), j["cells"].get<std::size_t>(), j["bytes"].get<double>() / 1048576,
-      j["error_max"].get<double>(), j["tolerance"].get<double>(), j["error_rms"].get<double>(),
-      j["built"].get<bool>() ? fmt::format("built in {:.1f} s", j["build_seconds"].get<double>()) : std::string("read from the cache"),
-      j["lookup_ns"].get<double>());
-}
-
-void print(const json& j) {
-  fmt::print(
-      "{}: {} entries, largest error {:.2e} (asked {:g}), rms {:.2e}, {}, {:.1f} ns a lookup\n", j["kind"].get<std::string>(),
-      j["entries"].get<std::size_t>(), j["error_max"].get<double>(), j["tolerance"].get<double>(), j["error_rms"].get<double>(),
-      j["built"].get<bool>() ? fmt::format("built in {:.2f} s", j["build_seconds"].get<double>()) : std::string("read from the cache"),
-      j["lookup_ns"].get<double>());
+/// `what` the table is of; that of head-on collisions has no surface.
+void print(const std::string& what, const json& j) {
+  const bool normal = !j.contains("surface");
+  const std::string name = normal ? j["kind"].get<std::string>() : fmt::format("{}, {}", what, j["surface"].get<std::string>());
+  const std::string size =
+      normal ? "" : fmt::format(" in {} cells, {:.1f} MiB", j["cells"].get<std::size_t>(), j["bytes"].get<double>() / 1048576);
+  const std::string made =
+      j["built"].get<bool>() ? fmt::format("built in {:.{}f} s", j["build_seconds"].get<double>(), normal ? 2 : 1) : "read from the cache";
+  fmt::print("{}: {} entries{}, largest error {:.2e} (asked {:g}), rms {:.2e}, {}, {:.{}f} ns a lookup\n", name,
+             j["entries"].get<std::size_t>(), size, j["error_max"].get<double>(), j["tolerance"].get<double>(),
+             j["error_rms"].get<double>(), made, j["lookup_ns"].get<double>(), normal ? 1 : 0);
 }
 
 }  // namespace
@@ -195,17 +172,17 @@ void add_table(CLI::App& app, Options& options, std::function<void()>& job) {
       json results = json::array();
       for (const ContactKind& kind : kinds) {
         const StoredTable stored = obtain_table({kind, input.table_tolerance}, options.store(), options.rebuild);
-        results.push_back(table_json(stored));
-        if (!options.json) print(results.back());
+        results.push_back(normal_json(stored));
+        if (!options.json) print("", results.back());
         if (!options.out.empty()) write_files(options, stored.table);
       }
       if (!options.all_kinds && input.surface.tangential != TangentialModel::none) {
-        results.front()["oblique"] = oblique_result(options, input);
-        if (!options.json && !results.front()["oblique"].is_null()) print_of_pair("oblique", results.front()["oblique"]);
+        json& oblique = results.front()["oblique"] = oblique_result(options, input);
+        if (!options.json && !oblique.is_null()) print("oblique", oblique);
       }
       if (!options.all_kinds && input.surface.rolling != RollingModel::none) {
-        results.front()["rolling"] = rolling_result(options, input);
-        if (!options.json && !results.front()["rolling"].is_null()) print_of_pair("rolling", results.front()["rolling"]);
+        json& rolling = results.front()["rolling"] = rolling_result(options, input);
+        if (!options.json && !rolling.is_null()) print("rolling", rolling);
       }
       deliver(options, input, "table", options.all_kinds ? json{{"tables", results}} : results.front());
     };

@@ -123,6 +123,17 @@ TEST_F(AdviseCommand, TestsTheModelOnStudiesThatItHasNotSeen) {
   EXPECT_LT(other.json()["together"]["softened_within_factor_1_5"], 15);
 }
 
+TEST_F(AdviseCommand, KnowsGasesThatCoolByTheory) {
+  const std::string reference = SCALEBREAK_SOURCE "/data/reference/";
+  const ProgramRun result = run({"advise", "--test", reference + "blind_cooling", "--json"});
+  ASSERT_EQ(result.status, 0) << result.err;
+  const json all = result.json()["together"];  // docs/prediction.md
+  EXPECT_EQ(all["rows"], 148);
+  EXPECT_EQ(all["off"], 112);
+  EXPECT_GE(all["within_factor_1_5"], 95);
+  EXPECT_LT(all["rms_over_error"], 1);
+}
+
 TEST_F(AdviseCommand, UnderPressureSupGoesFarthestAndGasCools) {
   const std::vector<std::string> confined = {"cell.kind=confined_shear", "cell.shear_rate=6.32", "cell.pressure=1000",
                                              "material.surface_energy=0.1", "material.young=1e8"};

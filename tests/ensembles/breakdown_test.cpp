@@ -22,14 +22,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 
 /// Soft, small and short: a cell is milliseconds of work.
-const std::string small_study = R"(
-[material]
-young = 1e7
-surface_energy = 0
-[contact]
-normal = "hertz"
-tangential = "mindlin"
-[particles]
+const std::string small_study = soft_glass + R"([particles]
 count = 60
 [cell]
 kind = "shear"

@@ -32,6 +32,15 @@ formats = ["csv", "vtp", "xyz", "dump"]
 checkpoint_interval = 0
 )";
 
+/// What a short run is made of: soft spheres that do not stick, milliseconds of work.
+inline const std::string soft_glass = R"([material]
+young = 1e7
+surface_energy = 0
+[contact]
+normal = "hertz"
+tangential = "mindlin"
+)";
+
 /// Every file of a folder, by its path in it.
 inline std::map<std::string, std::string> files_of(const std::filesystem::path& folder) {
   std::map<std::string, std::string> files;

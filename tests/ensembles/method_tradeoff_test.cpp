@@ -17,14 +17,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 
 /// Soft, small and short: a run is milliseconds of work.
-const std::string small_methods = R"(
-[material]
-young = 1e7
-surface_energy = 0
-[contact]
-normal = "hertz"
-tangential = "mindlin"
-[particles]
+const std::string small_methods = soft_glass + R"([particles]
 count = 100
 volume_fraction = 0.2
 [cell]

@@ -1,5 +1,9 @@
 #include <scalebreak/output/plot.hpp>
 
+#include <cmath>
+#include <cstdlib>
+#include <sstream>
+
 #include <gmock/gmock.h>
 
 #include <lib/surroundings.hpp>
@@ -128,6 +132,33 @@ TEST(Plot, GnuplotDrawsSvgAndPng) {
     EXPECT_THAT(svg, HasSubstr(text));
   EXPECT_THAT(content_of(folder / "restitution.png"), testing::StartsWith("\x89PNG"));
   EXPECT_FALSE(fs::exists(folder / "restitution.log"));
+}
+
+/// The range of the x axis as gnuplot draws it.
+std::pair<double, double> drawn_range(const Plot& plot) {
+  const TemporaryFolder folder;
+  put_data(folder);
+  EXPECT_TRUE(draw(plot, folder.path())) << content_of(folder / (plot.name + ".log"));
+  tests::put_file(folder / "range.gp", content_of(folder / (plot.name + ".gp")) +
+                                           "set print 'range.txt'\nprint sprintf('%.9g %.9g', GPVAL_X_MIN, GPVAL_X_MAX)\n");
+  EXPECT_EQ(std::system(("cd " + folder.path().string() + " && gnuplot range.gp 2>/dev/null").c_str()), 0);
+  std::istringstream text(content_of(folder / "range.txt"));
+  std::pair<double, double> range;
+  text >> range.first >> range.second;
+  return range;
+}
+
+TEST(Plot, MarksStayOffTheFrameAndLinesFillIt) {
+  if (!gnuplot_is_there()) GTEST_SKIP() << "gnuplot is not on PATH";
+  Plot plot = example();
+  plot.curves[1].only = "";
+  const auto [low, high] = drawn_range(plot);  // from 0.1 to 1
+  EXPECT_NEAR(low, 0.1 / std::pow(10, 0.04), 1e-6);
+  EXPECT_NEAR(high, std::pow(10, 0.04), 1e-6);
+  plot.log_x = false;
+  EXPECT_NEAR(drawn_range(plot).first, 0.1 - 0.04 * 0.9, 1e-6);
+  plot.curves.pop_back();
+  EXPECT_NEAR(drawn_range(plot).first, 0.1, 1e-9);
 }
 
 TEST(Plot, GnuplotTakesTextsAsTheyStand) {

@@ -29,6 +29,12 @@ std::vector<std::string> engines_of(const StudyResult& study) {
   return engines;
 }
 
+/// In per cent, large ones without decimals.
+std::string label_of(const Measured& deviation) {
+  const int digits = std::abs(deviation.value) < 1 ? 1 : 0;
+  return fmt::format("{:+.{}f} ± {:.{}f}", 100 * deviation.value, digits, 100 * deviation.error, digits);
+}
+
 MapPlot map_of(const StudyResult& study, const std::string& quantity, const std::string& engine, const std::string& parameter) {
   MapPlot map{.x_label = "law and factor",
               .y_label = "",
@@ -43,8 +49,7 @@ MapPlot map_of(const StudyResult& study, const std::string& quantity, const std:
     if (of.asked != engine || !c || !std::isfinite(c->relative.value)) continue;
     const std::string point = of.point.name(parameter);
     map.fields.push_back({place_of(map.columns, fmt::format("{} {:g}", of.law, of.factor)),
-                          place_of(map.rows, point.empty() ? "the scene" : point), 100 * c->relative.value,
-                          fmt::format("{:+.1f} ± {:.1f}", 100 * c->relative.value, 100 * c->relative.error)});
+                          place_of(map.rows, point.empty() ? "the scene" : point), 100 * c->relative.value, label_of(c->relative)});
   }
   return map;
 }
@@ -64,6 +69,11 @@ std::string row_condition(const std::string& law, double factor, const std::stri
                      study_column::quantity, quantity);
 }
 
+/// Of the legend.
+std::string name_of(const std::string& law, double factor) {
+  return law == "none" && factor == 1 ? "original" : fmt::format("{} {:g}", law, factor);
+}
+
 Plot over_points(const StudyResult& study, const StudyQuantity& quantity, const char* column, const std::string& label,
                  const std::string& title) {
   Plot plot{.name = fmt::format("{}_over_{}", quantity.name, column == study_column::value ? "parameter" : "volume_fraction"),
@@ -74,11 +84,10 @@ Plot over_points(const StudyResult& study, const StudyQuantity& quantity, const 
             .curves = {}};
   int style = 0;
   for (const auto& [law, factor] : laws_and_factors(study)) {
-    const bool original = law == "none" && factor == 1;
     plot.curves.push_back({.file = "study.csv",
                            .x = column,
                            .y = "(abs($9))",
-                           .title = original ? "original" : fmt::format("{} {:g}", law, factor),
+                           .title = name_of(law, factor),
                            .points = true,
                            .style = style++,
                            .only = row_condition(law, factor, quantity.name),
@@ -134,7 +143,7 @@ Plot patch_plot(const StudyResult& study, const std::string& title) {
     plot.curves.push_back({.file = "study.csv",
                            .x = study_column::coordination,
                            .y = study_column::patch_fraction,
-                           .title = fmt::format("{} {:g}", law, factor),
+                           .title = name_of(law, factor),
                            .points = true,
                            .style = style++,
                            .only = row_condition(law, factor, "temperature")});

@@ -20,7 +20,7 @@ template <class T, class Memory>
 void take_list(std::string_view& bytes, std::vector<T, Memory>& list) {
   const std::string taken = take_text(bytes);
   list.resize(taken.size() / sizeof(T));
-  std::memcpy(static_cast<void*>(list.data()), taken.data(), list.size() * sizeof(T));
+  if (!list.empty()) std::memcpy(static_cast<void*>(list.data()), taken.data(), list.size() * sizeof(T));  // nothing has no place
 }
 
 }  // namespace scalebreak

@@ -154,8 +154,9 @@ std::vector<std::string> warnings_of(const Input& scene, const FlowKnowledge& kn
       break;
     case FlowRegime::cooling:
       warnings.emplace_back(
-          "nothing is sheared here: what size does is Haff's law, and what contact time and adhesion do is what they do in sheared flows");
-      warn_of_ranges(warnings, knowledge.model, scaled), warn_of_terms(warnings, knowledge.model, original, scaled);
+          "nothing is sheared here: laws are compared at one and the same time, by what kinetic theory says of a gas that starts without spin; "
+          "that contacts which last make collisions rarer is taken from sheared flows");
+      if (original.cooled == 0) warnings.emplace_back("run.duration is not given, so that this is the gas at its start");
       break;
     case FlowRegime::pressed:
       warnings.emplace_back(

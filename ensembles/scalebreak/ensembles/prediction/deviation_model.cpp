@@ -14,8 +14,11 @@ double sticking(const ScaleGroups& groups) { return 1 / groups.impact_over_stick
 
 }  // namespace
 
-double beyond_model(const ScaleGroups& scaled) {
-  return std::max(scaled.overlap / deep_overlap, 1 / scaled.impact_over_sticking / lumps_beyond) - 1;
+double beyond_model(const ScaleGroups& original, const ScaleGroups& scaled) {
+  constexpr double more = 1.01;
+  const double deep = scaled.overlap / deep_overlap, lumps = sticking(scaled) / lumps_beyond;
+  const bool as_before = original.regime == FlowRegime::cooling && sticking(scaled) <= more * sticking(original);
+  return (as_before ? deep : std::max(deep, lumps)) - 1;
 }
 
 Terms terms_of(const ScaleGroups& original, const ScaleGroups& scaled) {
@@ -30,7 +33,7 @@ const std::vector<std::string>& predicted_quantities() {
 
 double size_excess(const std::string& quantity) { return quantity == "collision_rate" ? 1 : 2; }
 
-double size_term(double excess, const ScaleGroups& scaled) { return excess * speed_growth(scaled); }
+double size_term(double excess, const ScaleGroups& scaled) { return excess * scaled.collisional_share * std::log(scaled.size); }
 
 Prediction predict(const QuantityModel& model, const ScaleGroups& original, const ScaleGroups& scaled) {
   const Terms terms = terms_of(original, scaled);

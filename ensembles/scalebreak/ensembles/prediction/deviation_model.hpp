@@ -31,12 +31,13 @@ inline constexpr std::size_t term_count = std::size(deviation_terms);
 using Terms = std::array<double, term_count>;
 [[nodiscard]] Terms terms_of(const ScaleGroups& original, const ScaleGroups& scaled);
 
-/// ln(value / claim) of a flow of hard spheres that are l times larger: `size_excess` × speed_growth, of the scaled flow.
+/// ln(value / claim) of a flow of hard spheres that are l times larger: n c ln l.
 [[nodiscard]] double size_term(double size_excess, const ScaleGroups& scaled);
 /// Beyond this share of the impact speed that sticks, a flow gathers into lumps, of which no term knows.
 inline constexpr double lumps_beyond = 0.1;
-/// Above 0 where a flow is beyond what contact laws (overlaps of deep_overlap) or this model (lumps_beyond) are meant for, by how much of it.
-[[nodiscard]] double beyond_model(const ScaleGroups& scaled);
+/// Above 0 where a flow is beyond what contact laws (overlaps of deep_overlap) or the prediction (lumps_beyond) are meant for, by how much of it. A gas that cools
+/// is held to lumps_beyond where it sticks more than its original.
+[[nodiscard]] double beyond_model(const ScaleGroups& original, const ScaleGroups& scaled);
 
 /// What is predicted: temperature, rotational energy, collision rate, pressure and shear stress. The volume fraction that a pressure leads to is
 /// judged by studies and not predicted.

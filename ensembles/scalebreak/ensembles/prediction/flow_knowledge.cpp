@@ -7,6 +7,7 @@
 
 #include <scalebreak/base/error.hpp>
 #include <scalebreak/collisions/normal/pair_collision.hpp>
+#include <scalebreak/ensembles/prediction/cooling_prediction.hpp>
 #include <scalebreak/scene/materials.hpp>
 
 namespace scalebreak {
@@ -90,14 +91,14 @@ std::vector<Expectation> FlowKnowledge::expected(const ScaleGroups& original, co
   std::vector<Expectation> list;
   for (const QuantityModel& quantity : model.quantities) {
     if (regime == FlowRegime::cooling && quantity.quantity == "stress_xz") continue;
-    const Prediction p = predict(quantity, original, scaled);
+    const Prediction p = predicted(model.quantities, quantity.quantity, original, scaled);
     list.push_back({quantity.quantity, p.deviation, mechanism_of(p)});
   }
   return list;
 }
 
 double FlowKnowledge::beyond(const ScaleGroups& original, const ScaleGroups& scaled, double tolerance) const {
-  if (regime == FlowRegime::collisional || regime == FlowRegime::cooling) return beyond_model(scaled);
+  if (regime == FlowRegime::collisional || regime == FlowRegime::cooling) return beyond_model(original, scaled);
   const double deep = scaled.pressed_overlap / deep_overlap - 1;
   if (regime == FlowRegime::pressed) return deep;
   return std::max(deep, std::abs(ln_ratio(scaled.bond, original.bond)) / tolerance - 1);

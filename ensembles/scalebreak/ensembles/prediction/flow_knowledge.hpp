@@ -23,7 +23,7 @@ struct CohesionSlope {
 /// From the rows of a study of a confined flow, those whose original is cohesive. Throws WorkError where there is none.
 [[nodiscard]] CohesionSlope cohesion_slope(const TrainingRows& confined);
 
-/// What a scaled flow is expected to do, by its kind. Collisional shear goes by the fitted model, and a cooling gas too, with Haff's law for its size. In
+/// What a scaled flow is expected to do, by its kind. Collisional shear goes by the fitted model, a cooling gas by theory (cooling_prediction.hpp). In
 /// slow shear under a pressure it is the stress and the volume fraction: by the inertial number (Jop, Forterre & Pouliquen, Nature 441 (2006) 727, glass
 /// beads), by pull-off force over pressure × d² (`slope`) and by how soft spheres are pressed into each other. Of what rests it is the volume fraction.
 struct FlowKnowledge {

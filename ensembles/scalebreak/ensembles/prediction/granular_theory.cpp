@@ -29,8 +29,10 @@ double near_jamming(double volume_fraction, double jamming) {
 
 }  // namespace
 
+double fluid_contact_value(double volume_fraction) { return (1 - volume_fraction / 2) / std::pow(1 - volume_fraction, 3); }
+
 double contact_value(double volume_fraction, double jamming) {
-  return (1 - volume_fraction / 2) / std::pow(1 - volume_fraction, 3) + near_jamming(volume_fraction, jamming);
+  return fluid_contact_value(volume_fraction) + near_jamming(volume_fraction, jamming);
 }
 
 double jamming_share(double volume_fraction, double jamming) {

@@ -7,15 +7,18 @@
 namespace scalebreak {
 
 /// Restitution of frictionless spheres that lose as much as ones with restitution e and friction μ: e − (3/2) μ exp(−3μ), at least 0 (Chialvo &
-/// Sundaresan 2013, Phys. Fluids 25, 070603, eq. 31).
+/// Sundaresan 2013, Phys. Fluids 25, 070603).
 [[nodiscard]] double effective_restitution(double restitution, double friction);
 
-/// The volume fraction at which spheres of a friction jam in shear: 0.636, 0.613, 0.596, 0.587 and 0.581 at μ = 0, 0.1, 0.3, 0.5 and 1 (Chialvo,
-/// Sun & Sundaresan 2012, Phys. Rev. E 85, 021305), linear between, the last beyond.
+/// The volume fraction at which spheres of a friction jam in shear: 0.636, 0.613, 0.596, 0.587 and 0.581 at μ = 0, 0.1, 0.3, 0.5 and 1, linear between, the last
+/// beyond: what is quoted of Chialvo, Sun & Sundaresan (Phys. Rev. E 85 (2012) 021305), second hand. Flows of this program under a pressure, at an inertial number of
+/// 0.01, come to 0.641, 0.622, 0.600, 0.588 and 0.579 (docs/flows.md).
 [[nodiscard]] double jamming_fraction(double friction);
 
-/// How much more often spheres of a dense gas meet than those of a dilute one: Carnahan & Starling's (1 − φ/2)/(1 − φ)³, and in sheared flows beside
-/// it 0.58 φ²/(φ_c − φ)^{3/2}, which diverges where they jam (Chialvo & Sundaresan 2013). Needs φ < φ_c.
+/// How much more often spheres of a dense fluid meet than those of a dilute gas: (1 − φ/2)/(1 − φ)³ (Carnahan & Starling 1969).
+[[nodiscard]] double fluid_contact_value(double volume_fraction);
+
+/// The same of a sheared flow, which has beside it 0.58 φ²/(φ_c − φ)^{3/2}, which diverges where they jam (Chialvo & Sundaresan 2013, eq. 31). Needs φ < φ_c.
 [[nodiscard]] double contact_value(double volume_fraction, double jamming);
 
 /// The share of the second of its two parts.

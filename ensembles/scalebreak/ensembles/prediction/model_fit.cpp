@@ -10,7 +10,7 @@
 
 #include <scalebreak/base/error.hpp>
 #include <scalebreak/base/random.hpp>
-#include <scalebreak/collisions/normal/pair_collision.hpp>
+#include <scalebreak/ensembles/prediction/cooling_prediction.hpp>
 
 namespace scalebreak {
 namespace {
@@ -136,16 +136,16 @@ bool well_predicted(const Measured& predicted, const Measured& measured) {
   return ratio >= 1 / good_factor && ratio <= good_factor;
 }
 
-Validation validate(const QuantityModel& model, const std::vector<TrainingRow>& rows) {
+Validation validate(const std::vector<QuantityModel>& models, const std::string& quantity, const std::vector<TrainingRow>& rows) {
   Validation result;
   for (const TrainingRow& row : rows) {
-    if (row.quantity != model.quantity) continue;
-    const Measured predicted = predict(model, row.original, row.scaled).deviation;
-    const double miss = predicted.value - row.deviation.value;
-    const double variance = predicted.error * predicted.error + row.deviation.error * row.deviation.error + error_floor * error_floor;
+    if (row.quantity != quantity) continue;
+    const Measured expected = predicted(models, quantity, row.original, row.scaled).deviation;
+    const double miss = expected.value - row.deviation.value;
+    const double variance = expected.error * expected.error + row.deviation.error * row.deviation.error + error_floor * error_floor;
     ++result.rows, result.rms += miss * miss, result.rms_over_error += miss * miss / variance;
     if (!is_off(row.deviation)) continue;
-    const std::size_t good = well_predicted(predicted, row.deviation) ? 1 : 0;
+    const std::size_t good = well_predicted(expected, row.deviation) ? 1 : 0;
     ++result.off, result.within_factor += good;
     if (row.scaled.size == 1) ++result.softened_off, result.softened_within_factor += good;
   }
@@ -170,9 +170,9 @@ Validation together(const std::map<std::string, Validation>& validation) {
 std::map<std::string, Validation> test_on(const DeviationModel& model, const TrainingRows& unseen) {
   std::vector<TrainingRow> rows;
   std::copy_if(unseen.rows.begin(), unseen.rows.end(), std::back_inserter(rows),
-               [](const TrainingRow& row) { return beyond_model(row.scaled) <= 0; });
+               [](const TrainingRow& row) { return beyond_model(row.original, row.scaled) <= 0; });
   std::map<std::string, Validation> test;
-  for (const QuantityModel& quantity : model.quantities) test[quantity.quantity] = validate(quantity, rows);
+  for (const QuantityModel& quantity : model.quantities) test[quantity.quantity] = validate(model.quantities, quantity.quantity, rows);
   return test;
 }
 
@@ -193,12 +193,12 @@ DeviationModel fit_model(const TrainingRows& training, std::uint64_t seed) {
   DeviationModel model{.seed = seed};
   std::vector<TrainingRow> fit, test;
   for (const TrainingRow& row : training.rows) {
-    if (beyond_model(row.scaled) <= 0) (held_back(seed, row.key) ? test : fit).push_back(row);
+    if (beyond_model(row.original, row.scaled) > 0) continue;
+    const bool back = held_back(seed, row.key) || row.original.regime == FlowRegime::cooling;
+    (back ? test : fit).push_back(row);
   }
-  for (const std::string& quantity : predicted_quantities()) {
-    model.quantities.push_back(fit_quantity(quantity, fit));
-    model.validation[quantity] = validate(model.quantities.back(), test);
-  }
+  for (const std::string& quantity : predicted_quantities()) model.quantities.push_back(fit_quantity(quantity, fit));
+  for (const std::string& quantity : predicted_quantities()) model.validation[quantity] = validate(model.quantities, quantity, test);
   for (const TrainingRow& row : fit) {
     for (const auto& [name, value] : named_groups(row.scaled)) {
       const auto [at, first] = model.ranges.try_emplace(name, GroupRange{value, value});

@@ -34,7 +34,9 @@ struct Validation {
 inline constexpr double off_beyond = 0.03, off_errors = 2, good_factor = 1.5;
 [[nodiscard]] bool is_off(const Measured& deviation);
 [[nodiscard]] bool well_predicted(const Measured& predicted, const Measured& measured);
-[[nodiscard]] Validation validate(const QuantityModel& model, const std::vector<TrainingRow>& rows);
+/// The rows of `quantity`, by the models of all quantities.
+[[nodiscard]] Validation validate(const std::vector<QuantityModel>& models, const std::string& quantity,
+                                  const std::vector<TrainingRow>& rows);
 /// Of all quantities together.
 [[nodiscard]] Validation together(const std::map<std::string, Validation>& validation);
 
@@ -59,7 +61,8 @@ struct DeviationModel {
 /// The model on studies that it was not fitted to, by quantity; rows beyond it (beyond_model) are left out.
 [[nodiscard]] std::map<std::string, Validation> test_on(const DeviationModel& model, const TrainingRows& unseen);
 
-/// Fits the rows that are not held back, without those beyond the model (beyond_model), and tests on the others. Throws WorkError.
+/// Fits the rows that are not held back, without those beyond the model (beyond_model), and tests on the others. Rows of gases that cool, which need no fit
+/// (cooling_prediction.hpp), are all of the test. Throws WorkError.
 [[nodiscard]] DeviationModel fit_model(const TrainingRows& training, std::uint64_t seed);
 
 }  // namespace scalebreak

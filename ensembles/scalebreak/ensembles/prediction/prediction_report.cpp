@@ -1,11 +1,13 @@
 #include <scalebreak/ensembles/prediction/prediction_report.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 
 #include <scalebreak/collisions/normal/pair_collision.hpp>
 #include <scalebreak/ensembles/breakdown/study_quantities.hpp>
+#include <scalebreak/ensembles/prediction/cooling_prediction.hpp>
 #include <scalebreak/ensembles/prediction/prediction_file.hpp>
 #include <scalebreak/output/atomic_file.hpp>
 #include <scalebreak/output/plot.hpp>
@@ -13,16 +15,12 @@
 namespace scalebreak {
 namespace {
 
-const QuantityModel& model_of(const DeviationModel& model, const std::string& quantity) {
-  for (const QuantityModel& each : model.quantities) {
-    if (each.quantity == quantity) return each;
-  }
-  return model.quantities.front();
-}
-
 const char* part_of(const DeviationModel& model, const TrainingRow& row, RowsAre are) {
-  if (beyond_model(row.scaled) > 0) return row.scaled.overlap > deep_overlap ? "too_deep" : "lumps";
-  if (are == RowsAre::fitted_to) return held_back(model.seed, row.key) ? "held_back" : "fitted";
+  if (beyond_model(row.original, row.scaled) > 0) return row.scaled.overlap > deep_overlap ? "too_deep" : "lumps";
+  if (are == RowsAre::fitted_to) {
+    if (row.original.regime == FlowRegime::cooling) return "by_theory";
+    return held_back(model.seed, row.key) ? "held_back" : "fitted";
+  }
   return are == RowsAre::unseen ? "unseen" : "not_run";
 }
 
@@ -75,7 +73,7 @@ Csv prediction_csv(const DeviationModel& model, const TrainingRows& training, Ro
   }
   Csv csv(header);
   for (const TrainingRow& row : training.rows) {
-    const Measured predicted = predict(model_of(model, row.quantity), row.original, row.scaled).deviation;
+    const Measured expected = predicted(model.quantities, row.quantity, row.original, row.scaled).deviation;
     std::vector<CsvCell> cells = {row.study,
                                   row.law,
                                   row.factor,
@@ -85,8 +83,8 @@ Csv prediction_csv(const DeviationModel& model, const TrainingRows& training, Ro
                                   row.quantity,
                                   known(row.deviation.value),
                                   known(row.deviation.error),
-                                  predicted.value,
-                                  predicted.error};
+                                  expected.value,
+                                  expected.error};
     for (const ScaleGroups* groups : {&row.scaled, &row.original}) {
       for (const auto& [name, value] : named_groups(*groups)) cells.emplace_back(value);
     }
@@ -103,7 +101,9 @@ std::vector<std::string> sentences(const std::map<std::string, Validation>& vali
         "than 3 %, {} of {} without the enlarged",
         what, v.rows, 100 * v.rms, v.rms_over_error, v.within_factor, v.off, v.softened_within_factor, v.softened_off));
   };
-  for (const auto& [quantity, v] : validation) add(study_quantity(quantity).what, v);
+  for (const auto& [quantity, v] : validation) {
+    if (v.rows > 0) add(study_quantity(quantity).what, v);
+  }
   add("all together", together(validation));
   return list;
 }
@@ -114,12 +114,13 @@ std::vector<std::string> forecast_sentences(const DeviationModel& model, const T
   for (const TrainingRow& row : forecast.rows) {
     if (list.empty() || row.key != cell) {
       list.push_back(fmt::format("{} at {:g}{}{}: ", row.law, row.factor, row.point.empty() ? "" : ", ", row.point));
-      if (beyond_model(row.scaled) > 0) list.back() += fmt::format("beyond the model ({}): ", part_of(model, row, RowsAre::not_run));
+      if (beyond_model(row.original, row.scaled) > 0)
+        list.back() += fmt::format("beyond the model ({}): ", part_of(model, row, RowsAre::not_run));
     } else {
       list.back() += ", ";
     }
     cell = row.key;
-    const Measured off = predict(model_of(model, row.quantity), row.original, row.scaled).deviation;
+    const Measured off = predicted(model.quantities, row.quantity, row.original, row.scaled).deviation;
     list.back() += fmt::format("{} {:+.1f} % ± {:.1f} %", study_quantity(row.quantity).what, 100 * off.value, 100 * off.error);
   }
   return list;
@@ -130,6 +131,7 @@ std::vector<std::string> write_rows(const DeviationModel& model, const TrainingR
   std::vector<std::string> missing;
   if (are == RowsAre::not_run) return missing;
   for (const QuantityModel& q : model.quantities) {
+    if (std::none_of(rows.rows.begin(), rows.rows.end(), [&](const TrainingRow& row) { return row.quantity == q.quantity; })) continue;
     const Plot plot = plot_of(q.quantity, are);
     if (!draw(plot, out)) missing.push_back(plot.name);
   }

@@ -17,7 +17,7 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr double collision_tolerance = 1e-6, above_sticking = 2;
+constexpr double collision_tolerance = 1e-6, above_sticking = 2, sphere_inertia = 0.4;
 
 double size_of(const Input& input) { return size_factor(*find_scaling_law(input.scaling_law), input.scaling_factor); }
 
@@ -43,18 +43,19 @@ void measure_spheres(const Input& input, FlowConditions& conditions) {
 
 /// Granular temperature and how crowded it is.
 struct Gas {
-  double temperature, contact_value, jamming_share, restitution, volume_fraction;
+  double temperature, contact_value, jamming_share, restitution, volume_fraction, friction;
   bool jammed;
 };
 
 Gas gas_of(const Input& input, const FlowConditions& c, double size) {
   const double friction = input.surface.tangential == TangentialModel::none ? 0 : input.material.sliding_friction;
   const double jamming = jamming_fraction(friction);
-  Gas gas{.restitution = effective_restitution(input.material.restitution, friction)};
+  Gas gas{.restitution = effective_restitution(input.material.restitution, friction), .friction = friction};
   gas.jammed = c.volume_fraction > jamming - below_jamming;
   gas.volume_fraction = std::min(c.volume_fraction, jamming - below_jamming);
-  gas.contact_value = contact_value(gas.volume_fraction, jamming);
-  gas.jamming_share = jamming_share(gas.volume_fraction, jamming);
+  // What diverges where spheres jam is of sheared flows.
+  gas.contact_value = c.shear_rate > 0 ? contact_value(gas.volume_fraction, jamming) : fluid_contact_value(gas.volume_fraction);
+  gas.jamming_share = c.shear_rate > 0 ? jamming_share(gas.volume_fraction, jamming) : 0;
   const bool ask = c.shear_rate > 0 && !c.speed_is_told && gas.restitution < 1;
   const double rate = c.shear_rate * c.diameter;
   // A speed that is told is the original's; in shear it grows with the spheres.
@@ -90,7 +91,7 @@ FlowConditions flow_conditions(const Input& input) {
     throw InputError("a pair or bodies are no flow, of which contact time and collision rate could be compared; allowed: a flow");
   FlowConditions conditions{.density = input.material.density, .pressure = input.cell.pressure, .gravity = input.cell.gravity.norm()};
   measure_spheres(input, conditions);
-  conditions.time = input.run.warmup_duration + input.run.duration;
+  conditions.begin = input.run.warmup_duration, conditions.end = conditions.begin + input.run.duration;
   if (input.advise.speed > 0) conditions.speed = input.advise.speed, conditions.speed_is_told = true;
   return conditions;
 }
@@ -108,9 +109,11 @@ ScaleGroups scale_groups(const Input& input) {
   const ScaledContact contact(input.contact, {input.material, input.material, input.wall, {radius, radius}}, law, input.scaling_factor);
   const double sticking = contact.sticking_speed(collision_tolerance).value_or(0);
   const double speed = std::max(groups.impact_speed, above_sticking * sticking * (groups.impact_speed <= sticking ? 1.0 : 0.0));
+  double left = 0;  // of the energy of such an impact
   if (speed > 0) {
     const PairCollision collision = contact.collide(speed, collision_tolerance);
     groups.contact_time = collision.contact_time.value_or(0), groups.overlap = 2 * collision.max_overlap / (c.diameter / 2);
+    left = collision.restitution * collision.restitution;
   }
   groups.sheared = c.shear_rate > 0;
   groups.busy = groups.contact_time * groups.collision_rate;
@@ -122,19 +125,25 @@ ScaleGroups scale_groups(const Input& input) {
   groups.length_ratio = c.diameter / c.length;
   groups.collisional_share = !groups.sheared ? 0 : c.pressure > 0 ? std::min(1.0, gas_pressure / c.pressure) : 1;
   groups.regime = regime_of(c, groups);
-  if (groups.regime == FlowRegime::cooling)  // Haff 1983: each collision takes (1 − e²) m T of the energy
-    groups.cooled = (1 - gas.restitution * gas.restitution) / 6 * groups.collision_rate * c.time;
+  if (groups.regime == FlowRegime::cooling) {
+    groups.gas = {.collision = {.friction = gas.friction,
+                                .inertia = sphere_inertia * std::pow(groups.size, groups.torque_lack),
+                                .sticking_speed = sticking},
+                  .temperature = groups.temperature,
+                  .collision_rate = groups.collision_rate,
+                  .busy = groups.busy,
+                  .contact_time_power = input.contact.normal == NormalModel::linear ? 0 : 0.2,
+                  .begin = c.begin,
+                  .end = c.end};
+    groups.gas.collision.restitution = std::sqrt(std::min(1.0, left / (1 - std::pow(sticking / speed, 2))));
+    groups.cooled = std::sqrt(groups.temperature / cool(groups.gas, 0).last_temperature) - 1;
+  }
   groups.impact_over_sticking =
       sticking > 0 ? groups.impact_speed / (1 + groups.cooled) / sticking : std::numeric_limits<double>::infinity();
   const double above = c.density * c.volume_fraction * c.gravity * c.length_along_gravity;
   const double pressing = groups.regime == FlowRegime::resting ? above : c.pressure;
   if (pressing > 0) groups.pressed_overlap = overlap_under(contact, pressing * c.diameter * c.diameter);
   return groups;
-}
-
-double speed_growth(const ScaleGroups& scaled) {
-  const double cooled = scaled.cooled;
-  return cooled > 0 ? std::log((1 + scaled.size * cooled) / (1 + cooled)) : scaled.collisional_share * std::log(scaled.size);
 }
 
 Input original_of(Input input) {

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include <scalebreak/ensembles/prediction/cooling_gas.hpp>
 #include <scalebreak/scene/input.hpp>
 
 namespace scalebreak {
@@ -18,7 +19,7 @@ struct FlowConditions {
   double gravity = 0;               ///< [m/s²]
   double length = 0;                ///< the shortest edge of the cell [m]
   double length_along_gravity = 0;  ///< [m]
-  double time = 0;                  ///< of the run, where it is told as a time [s]
+  double begin = 0, end = 0;        ///< of the measurement after the start, where they are told as times [s]
 };
 [[nodiscard]] FlowConditions flow_conditions(const Input& input);
 
@@ -47,7 +48,8 @@ struct ScaleGroups {
   double length_ratio = 0;       ///< diameter over the cell's shortest edge
   double collisional_share = 0;  ///< of the pressure: 1 in shear at constant volume, 0 where nothing is sheared
   FlowRegime regime = FlowRegime::collisional;
-  double cooled = 0;  ///< of a cooling gas, the time of its run over Haff's: its speeds end at 1/(1 + cooled) of those at the start
+  CoolingGas gas;     ///< of a cooling gas, at its start
+  double cooled = 0;  ///< of a cooling gas: its speeds end at 1/(1 + cooled) of those at the start; of smooth spheres time over Haff's
   double pressed_overlap =
       0;  ///< of a contact that carries pressure × d², over R*; the pressure is the imposed one, or that of the weight above
   bool sheared = false;
@@ -59,10 +61,6 @@ struct ScaleGroups {
 
 /// The densest flow that theory is asked for is so far below jamming.
 inline constexpr double below_jamming = 0.005;
-
-/// By how much the spheres of the scaled flow are faster than the original's because they are larger, as a logarithm: of a sheared flow of collisions
-/// speeds are γ̇d times numbers, and a gas cools by Haff's law, speed/(1 + cooled), with a time that grows with the mean free path, as l.
-[[nodiscard]] double speed_growth(const ScaleGroups& scaled);
 
 /// The same scene without a scaling law.
 [[nodiscard]] Input original_of(Input input);

@@ -79,7 +79,9 @@ TrainingRows forecast_rows(const Input& input, const std::string& name) {
   TrainingRows forecast;
   for (std::size_t i = 0; i < grid.cells.size(); ++i) {
     if (grid.cells[i].original()) continue;
-    for (const std::string& quantity : predicted_quantities()) forecast.rows.push_back(row_of(name, grid, i, input, quantity, groups));
+    for (const std::string& quantity : predicted_quantities()) {
+      if (quantity != "stress_xz" || groups(i).sheared) forecast.rows.push_back(row_of(name, grid, i, input, quantity, groups));
+    }
   }
   return forecast;
 }
