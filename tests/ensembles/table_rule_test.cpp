@@ -180,6 +180,30 @@ TEST(TableRule, LeavesSpheresOfManySizesWhereTheirSoftCollisionWould) {
   }
 }
 
+/// A sphere that cannot turn while it touches is braked with all of its mass, not with 2/7 of it as by its table.
+TEST(TableRule, LeavesWallsThatStopSpins) {
+  const auto walled = [](const char* tangential) {
+    return resolved(
+        fmt::format("[contact]\nnormal = \"hertz\"\ntangential = \"{}\"\n[particles]\nvolume_fraction = 0.1\n"
+                    "[cell]\nkind = \"couette\"\nsize = [0.01, 0.01, 0.01]\nwall_speed = 1\nwall_no_slip = true\n",
+                    tangential));
+  };
+  const SphereKinds kinds{.kinds = {{radius, 0}}};
+  const Meeting at_wall{.normal = -Vector3d::UnitZ(),
+                        .first = {.mass = sphere_mass(radius, 2500), .radius = radius, .velocity = {0.1, 0, -0.1}},
+                        .distance = radius,
+                        .wall = true};
+  TableRule rough(walled("mindlin"), kinds, store(), {.turning = 1e-2}, Unanswered::leave);
+  EXPECT_TRUE(rough.collide(at_wall).unresolved);
+  EXPECT_EQ(rough.count(Refusal::no_table), 1);
+  TableRule smooth(walled("none"), kinds, store(), {.turning = 1e-2}, Unanswered::leave);
+  EXPECT_FALSE(smooth.collide(at_wall).unresolved);
+  EXPECT_EQ(
+      message_of<InputError>([&] { (void)TableRule(walled("mindlin"), kinds, store()); }),
+      "cell.wall_no_slip: found true beside friction or rolling resistance: a sphere that cannot turn while it touches has no collision "
+      "table; allowed in an event-driven run: false, or --engine hybrid, or --engine dem, which integrates every contact");
+}
+
 TEST(TableRule, RefusesSizesThatShareNoTables) {
   std::mt19937 random(5);
   const System many = of_many_sizes(about_to_meet(random, 0.1, 0, 0.3));

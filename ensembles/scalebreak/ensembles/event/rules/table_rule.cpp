@@ -126,7 +126,15 @@ TableRule::TableRule(const Input& input, SphereKinds kinds, const TableStore& st
   refuse_height_that_follows(input);
   if (unanswered == Unanswered::integrate) refuse_laws_without_tables(input);
   const auto& boundary = input.cell.boundary;
-  const bool walled = std::find(boundary.begin(), boundary.end(), Boundary::wall) != boundary.end();
+  // While it touches a wall that stops spins a sphere has none: it is braked as if it could not turn, which no table tells.
+  const bool turns = input.surface.tangential != TangentialModel::none || input.surface.rolling != RollingModel::none;
+  const bool walls = std::find(boundary.begin(), boundary.end(), Boundary::wall) != boundary.end(),
+             is_left = walls && wall_no_slip_ && turns, walled = walls && !is_left;
+  if (is_left && unanswered == Unanswered::integrate)
+    throw InputError(fmt::format(
+        "cell.wall_no_slip: found true beside friction or rolling resistance: a sphere that cannot turn while it touches has no "
+        "collision table; allowed in an event-driven run: false, or --engine hybrid, or {}",
+        other_engine));
   if (kinds_.many) {
     obtain_shared(input, store, tolerance, walled);
     return;
@@ -167,6 +175,7 @@ TableRule::Answerer TableRule::answerer(const Meeting& meeting) const {
     const std::size_t first = meeting.first.material;
     return {.shared = (meeting.wall ? shared_walls_[first] : shared_[2 * first + meeting.second.material]).get()};
   }
+  if (meeting.wall && walls_.empty()) return {};
   const std::size_t first = kind_of(meeting.first);
   return {.own = (meeting.wall ? walls_[first] : pairs_[first * kinds_.kinds.size() + kind_of(meeting.second)]).get()};
 }
