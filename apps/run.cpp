@@ -121,7 +121,6 @@ void run(Options& options) {
   const EngineChoice choice = engine_choice(options, asked, input);
   if (flies(choice.engine)) refuse_height_that_follows(input);
   if (choice.engine == "event") refuse_laws_without_tables(input);
-  if (flies(choice.engine)) refuse_sizes_without_tables(input);
   stop_on_signals();
   if (!options.out.empty() && !options.resume) begin_run_folder(options.out, input_file_text(input, "run"));
   const RunOutcome outcome = run_flow(input, {.out = options.out,

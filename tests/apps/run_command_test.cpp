@@ -126,10 +126,6 @@ TEST_F(RunCommand, RefusesInOneSentence) {
   };
   EXPECT_EQ(refused({"run", "--engine", "lammps"}),
             "scalebreak: --engine: lammps is not there yet; allowed: dem, event, hybrid, or auto\n");
-  EXPECT_EQ(
-      refused({"run", "--engine", "hybrid", "--set", "particles.size=lognormal", "--set", "particles.size_spread=0.1"}),
-      "scalebreak: particles.size: found spheres of more than 8 radii; allowed in an event-driven run: \"mono\" or \"bidisperse\", or --engine "
-      "dem, which integrates every contact\n");
   const std::string confined = scene("confined.toml", "[cell]\nkind = \"confined_shear\"\nshear_rate = 40\npressure = 100\n");
   for (const char* engine : {"event", "hybrid"})
     EXPECT_EQ(

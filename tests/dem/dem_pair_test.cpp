@@ -147,12 +147,12 @@ double error(const Input& input, double fraction, const char* kernel = nullptr) 
   });
 }
 
-/// The same as a group on its own, in stretches of some steps and a bit.
-double group_error(const Input& input, double fraction) {
+/// The same as a group on its own, in stretches of some steps and a bit; with `each`, its contacts have laws of their own.
+double group_error(const Input& input, double fraction, bool each = false) {
   return error_of(input, fraction, [&](const System& start, const DemSetup& setup) {
     std::vector<dem::LawRows::Kind> kinds;
     for (std::size_t i = 0; i < start.count(); ++i) kinds.push_back({start.radius[i], start.material[i]});
-    const GroupLaws laws(setup, start.cell, kinds);
+    const GroupLaws laws(setup, start.cell, kinds, each);
     DemGroup group(laws, 0);
     for (std::size_t i = 0; i < start.count(); ++i)
       group.add(GroupSphere{start.position[i], start.velocity[i], start.spin[i], start.radius[i], start.mass[i], start.material[i]});
@@ -186,6 +186,7 @@ TEST_P(PairOf, SpheresComesOutTheSameAsAGroupOnItsOwn) {
   Input input;
   GetParam().change(input);
   const double coarse = group_error(input, 0.1), fine = group_error(input, 0.0125);
+  EXPECT_NEAR(group_error(input, 0.1, true), coarse, 1e-9);
   EXPECT_LT(coarse, 0.1);
   EXPECT_LT(fine, 3e-3);
   EXPECT_LT(fine, std::max(coarse / 3, 3e-4)) << coarse;

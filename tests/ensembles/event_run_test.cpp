@@ -41,8 +41,12 @@ TEST_F(EventRun, GivesTheSameNumbersAndFilesWhereverItIsInterrupted) {
   }
 }
 
-TEST_F(EventRun, ByTheHybridGivesTheSameNumbersAndFilesWhereverItIsInterrupted) {
+struct HybridRun : EventRun, testing::WithParamInterface<bool> {};
+
+TEST_P(HybridRun, GivesTheSameNumbersAndFilesWhereverItIsInterrupted) {
   input = resolved(small_shear, {"contact.normal=hertz"});  // so soft that patches are all over it, and with friction
+  if (GetParam())
+    input = resolved(small_shear, {"contact.normal=hertz", "contact.rolling=cdt", "particles.size=gaussian", "particles.size_spread=0.1"});
   const auto by_hybrid = [&](const std::string& name) {
     RunOptions of = options(name);
     of.engine = "hybrid";
@@ -68,6 +72,8 @@ TEST_F(EventRun, ByTheHybridGivesTheSameNumbersAndFilesWhereverItIsInterrupted) 
   EXPECT_GT(j["patch_fraction"], 0.1);
   EXPECT_LE(j["patch_fraction"], 1);
 }
+
+INSTANTIATE_TEST_SUITE_P(Sizes, HybridRun, testing::Bool(), [](const auto& test) { return test.param ? "many" : "one"; });
 
 TEST_F(EventRun, ThatJamsIsHandedOverToSoftSpheres) {
   input = resolved(small_shear, {"contact.normal=hertz", "material.young=1e5", "particles.volume_fraction=0.58"});

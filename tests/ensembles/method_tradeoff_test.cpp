@@ -61,14 +61,13 @@ TEST(MethodGrid, HoldsStepsLawsAndEngines) {
 }
 
 TEST(MethodGrid, SaysWhatAnEngineRefuses) {
-  const MethodGrid grid = method_grid(resolved(small_methods, {"particles.size=\"lognormal\"", "particles.size_spread=0.1"}));
+  const MethodGrid grid = method_grid(resolved(small_methods, {"contact.attraction=\"capillary\""}));
   const auto event = std::find_if(grid.ways.begin(), grid.ways.end(), [](const FlowWay& way) { return way.engine == "event"; });
   ASSERT_NE(event, grid.ways.end());
   EXPECT_FALSE(event->cell);
-  EXPECT_THAT(event->refusal, HasSubstr("allowed in an event-driven run: \"mono\" or \"bidisperse\""));
+  EXPECT_THAT(event->refusal, HasSubstr("which acts at a distance and has no collision tables; allowed in an event-driven run: \"none\""));
   EXPECT_THAT(message_of<InputError>([&] {
-                (void)method_grid(
-                    resolved(small_methods, {"particles.size=\"lognormal\"", "particles.size_spread=0.1", "study.engines=[\"event\"]"}));
+                (void)method_grid(resolved(small_methods, {"contact.attraction=\"capillary\"", "study.engines=[\"event\"]"}));
               }),
               HasSubstr("study.engines: none of them runs the original"));
 }

@@ -16,6 +16,7 @@ struct Flow {
   double young, volume_fraction, shear_rate, strain;
   std::size_t least;   ///< quantities whose errors are known after that
   bool often_crowded;  ///< so that three in touch are common enough to be counted at samples
+  const char* sizes = "";
   friend void PrintTo(const Flow& flow, std::ostream* out) { *out << flow.name; }
 };
 
@@ -24,8 +25,7 @@ class ShearedFlow : public testing::TestWithParam<Flow> {};
 TEST_P(ShearedFlow, OfTheHybridIsThatOfSoftSpheres) {
   TemporaryFolder folder;
   const Flow& flow = GetParam();
-  const Input input =
-      resolved(fmt::format(R"(
+  const Input input = resolved(fmt::format(R"(
 [material]
 young = {}
 restitution = 0.85
@@ -35,6 +35,7 @@ restitution = 0.85
 count = 500
 volume_fraction = {}
 speed = {}
+{}
 [cell]
 kind = "shear"
 shear_rate = {}
@@ -44,7 +45,8 @@ strain = {}
 [output]
 formats = []
 )",
-                           flow.young, flow.contact, flow.volume_fraction, flow.shear_rate / 400, flow.shear_rate, flow.strain));
+                                           flow.young, flow.contact, flow.volume_fraction, flow.shear_rate / 400, flow.sizes,
+                                           flow.shear_rate, flow.strain));
   const RunOutcome soft = run_flow(input, {}),
                    hybrid = run_flow(input, {.engine = "hybrid", .tables = TableStore{.folder = folder / "tables"}});
   EXPECT_GT(hybrid.replicas.front().patches.value().begun, 100);
@@ -76,7 +78,9 @@ formats = []
 INSTANTIATE_TEST_SUITE_P(Laws, ShearedFlow,
                          testing::Values(Flow{"hertz_thin", "normal = \"hertz\"\ntangential = \"mindlin\"", 2e7, 0.1, 40, 80, 5, false},
                                          Flow{"hertz_dense", "normal = \"hertz\"\ntangential = \"mindlin\"", 2e7, 0.4, 40, 25, 6, true},
-                                         Flow{"jkr", "normal = \"jkr\"\ntangential = \"none\"", 2e7, 0.2, 400, 40, 2, false}),
+                                         Flow{"jkr", "normal = \"jkr\"\ntangential = \"none\"", 2e7, 0.2, 400, 40, 2, false},
+                                         Flow{"jkr_of_all_sizes", "normal = \"jkr\"\ntangential = \"mindlin\"\nrolling = \"ar\"", 2e7, 0.2,
+                                              400, 40, 2, false, "size = \"gaussian\"\nsize_spread = 0.05"}),
                          [](const auto& test) { return std::string(test.param.name); });
 
 }  // namespace

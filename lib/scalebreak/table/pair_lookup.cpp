@@ -37,14 +37,15 @@ const char* to_string(Refusal refusal) {
   return "no table";
 }
 
-PairLookup::PairLookup(const CollidingPair& pair, const TableRow* normal, const ObliqueTable* oblique, const RollingTable* rolling)
+PairLookup::PairLookup(const CollidingPair& pair, const TableRow* normal, const ObliqueTable* oblique, const RollingLookup& rolling)
     : pair_(pair), normal_(normal), oblique_(oblique), rolling_(rolling) {
   const bool slides = pair.surface.tangential != TangentialModel::none, rolls = pair.surface.rolling != RollingModel::none;
   if (!normal || (slides && !oblique) || (rolls && !rolling)) refusal_ = Refusal::no_table;
-  if (!rolls_apart(pair.surface, pair.radius, pair.inertia)) refusal_ = Refusal::coupled;
   if (pair.surface.attraction != Attraction::none) refusal_ = Refusal::liquid;
   mass_ = 1 / (1 / pair.mass[0] + 1 / pair.mass[1]);
   distance_ = pair.radius[0] + pair.radius[1];
+  if (!rolls_apart(pair.surface, pair.radius, pair.inertia))
+    coupling_ = pair.radius[0] / pair.inertia[0] - pair.radius[1] / pair.inertia[1];
   if (!pair.kind.adhesive()) return;
   scales_ = reduce(pair.kind, pair.normal, 1.0).scales;
   end_gap_ = reduced_end_gap(pair.kind) * scales_.overlap;
@@ -69,7 +70,17 @@ PairOutcome PairLookup::resolve(const PairImpact& impact, double tolerance) cons
 
   // What slides, and how far it gets.
   const Vector3d centres = velocity - n * normal_speed;
-  const Vector3d arms = pair_.radius[0] * impact.spin[0] + pair_.radius[1] * impact.spin[1], sliding = centres + arms.cross(n);
+  const Vector3d arms = pair_.radius[0] * impact.spin[0] + pair_.radius[1] * impact.spin[1],
+                 relative_spin = impact.spin[0] - impact.spin[1];
+  Exchange exchanged;
+  if (coupling_ != 0) {
+    const auto found = exchange(n, normal_speed, reduced_speed, centres + arms.cross(n), in_plane(relative_spin, n));
+    if (!found) return refused(Refusal::outside_table);
+    exchanged = *found;
+    outcome.coupling_error = exchanged.error;
+    if (exchanged.error > tolerance) return refused(Refusal::coupled);
+  }
+  const Vector3d sliding = centres + arms.cross(n) + exchanged.sliding;
   const double slide = sliding.norm(), ratio = slide / normal_speed;
   const Vector3d along = slide > 0 ? Vector3d(sliding / slide) : in_plane(centres, n).stableNormalized();
   Vector3d displacement = contact_time * centres, centres_change = Vector3d::Zero(), surfaces_change = Vector3d::Zero();
@@ -94,7 +105,7 @@ PairOutcome PairLookup::resolve(const PairImpact& impact, double tolerance) cons
     separation_speed += at(turning->normal);
     const double centres_more = at(turning->tangential), sliding_more = at(turning->sliding);
     // Across the sliding, friction follows what has turned half-way into it.
-    const Vector3d half_way = carried(in_plane(velocity, middle) + arms.cross(middle), middle, n);
+    const Vector3d half_way = carried(in_plane(velocity, middle) + arms.cross(middle), middle, n) + exchanged.sliding;
     const Vector3d aside = slide > 0 ? Vector3d((half_way - along * along.dot(half_way)) / slide) : Vector3d::Zero();
     centres_change += along * centres_more + aside * centres_change.dot(along);
     surfaces_change += along * (sliding_more - centres_more) + aside * surfaces_change.dot(along);
@@ -103,7 +114,7 @@ PairOutcome PairLookup::resolve(const PairImpact& impact, double tolerance) cons
   double error = pair_.wall ? 0.0 : second_order * depth * depth * size * size;
   if (oblique_) error += oblique_->quality().turning_error_median * depth * size * size;
   if (!pair_.wall) error += first_order * depth * (oblique_ ? across + std::abs(twist) * std::sqrt(square) : square);
-  const Vector3d relative_spin = impact.spin[0] - impact.spin[1], rolling = in_plane(relative_spin, middle);
+  const Vector3d rolling = in_plane(relative_spin + exchanged.rolling, middle);
   const double roll = pair_.normal.radius * rolling.norm() / normal_speed;
   if (rolling_ && !pair_.wall) {
     const double relative_twist = pair_.normal.radius * std::abs(relative_spin.dot(n)) / normal_speed;
@@ -127,7 +138,7 @@ PairOutcome PairLookup::resolve(const PairImpact& impact, double tolerance) cons
     for (std::size_t i = 0; i < 2; ++i) outcome.spin[i] += pair_.radius[i] / (distance_ * pair_.inertia[i]) * torque;
   }
   if (rolling_) {
-    const auto left = rolling_->find(reduced_speed, roll);
+    const auto left = rolling_.find(reduced_speed, roll);
     if (!left) return refused(Refusal::outside_table);
     const double ease = 1 / pair_.inertia[0] + 1 / pair_.inertia[1];
     for (std::size_t i = 0; i < 2; ++i) outcome.spin[i] += (i == 0 ? -1 : 1) * (1 - *left) / (pair_.inertia[i] * ease) * rolling;

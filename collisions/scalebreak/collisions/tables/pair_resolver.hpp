@@ -17,6 +17,12 @@ struct PairTolerance {
   double exact = 1e-8;    ///< of what is integrated
 };
 
+/// Two bodies of an input's scaled system, and what acts between them.
+[[nodiscard]] CollidingPair colliding_pair(const Input& input);
+
+/// An impact of the pair of a scene by the exact engine, to a tolerance.
+[[nodiscard]] PairOutcome integrate_impact(const MovingScene& scene, const CollidingPair& pair, const PairImpact& impact, double tolerance);
+
 /// The collisions of an input's pair, scaled by its law: by table where the tables answer, by the exact engine where they do not, and how
 /// often each.
 class PairResolver {
@@ -30,7 +36,7 @@ class PairResolver {
   [[nodiscard]] PairOutcome collide(const PairImpact& impact);
   /// By table alone, uncounted, and by the exact engine alone.
   [[nodiscard]] PairOutcome look_up(const PairImpact& impact) const { return lookup_->resolve(impact, tolerance_.turning); }
-  [[nodiscard]] PairOutcome integrate(const PairImpact& impact) const;
+  [[nodiscard]] PairOutcome integrate(const PairImpact& impact) const { return integrate_impact(scene_, pair_, impact, tolerance_.exact); }
 
   /// How many collisions were integrated for a reason; for Refusal::none, looked up.
   [[nodiscard]] long count(Refusal reason) const { return counts_[static_cast<std::size_t>(reason)]; }

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 
 #include <scalebreak/base/error.hpp>
 #include <scalebreak/collisions/tables/patch_builder.hpp>
 #include <scalebreak/collisions/tables/reduced_impact.hpp>
-#include <scalebreak/table/pair_lookup.hpp>
 
 namespace scalebreak {
 namespace {
@@ -67,6 +67,7 @@ RollingKeyOrReason rolling_key(const ContactKind& kind, const SurfaceKind& surfa
       key.stiffness = adhesive_rolling * slope;
       break;
     }
+    case RollingModel::sds: return {{}, "the rolling spring of \"sds\" is another one at every size and speed"};
     default: break;
   }
   return {key, ""};
@@ -81,7 +82,6 @@ RollingKeyOrReason rolling_key(const Input& input, double tolerance) {
   const std::array<double, 2> radius = {bodies.radius[0], bodies.against_wall() ? 0.0 : bodies.radius[1]};
   const std::array<double, 2> inertias = {inertia(bodies.first, radius[0]), bodies.against_wall() ? std::numeric_limits<double>::infinity()
                                                                                                   : inertia(bodies.second, radius[1])};
-  if (!rolls_apart(input.surface, radius, inertias)) return {{}, "sliding and rolling change each other"};
   return rolling_key(effective_kind(input.contact, pair.surface_energy), input.surface, pair, bodies.surfaces(),
                      1 / inertias[0] + 1 / inertias[1], tolerance);
 }

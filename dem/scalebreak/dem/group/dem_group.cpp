@@ -10,6 +10,18 @@ namespace scalebreak {
 
 using namespace dem;
 
+DemGroup::DemGroup(const GroupLaws& laws, double time) : laws_(&laws), time_(time), walls_(laws.walls().size()) {
+  if (!laws.each()) return;
+  own_rows_.push_back(laws.rows(false));
+  if (!walls_.empty()) own_rows_.push_back(laws.rows(true));
+}
+
+std::uint32_t DemGroup::open_row(bool wall, std::uint32_t first, std::uint32_t second) {
+  if (own_rows_.empty()) return laws_->rows(wall).row_of(spheres_.kind[first], wall ? 0 : spheres_.kind[second]);
+  const auto kind = [this](std::uint32_t k) { return LawRows::Kind{radius(k), material_[k]}; };
+  return own_rows_[wall ? 1 : 0].open(kind(first), kind(wall ? first : second));
+}
+
 std::uint32_t DemGroup::add(const GroupSphere& sphere) {
   const std::uint32_t k = count();
   everyone_.push_back(k);
@@ -22,7 +34,7 @@ std::uint32_t DemGroup::add(const GroupSphere& sphere) {
   spheres_.spin.push_back(spin), spheres_.seen_spin.push_back(spin);
   spheres_.force.emplace_back(), spheres_.torque.emplace_back();
   spheres_.kind.push_back(laws_->kind_number({sphere.radius, sphere.material}));
-  material_.push_back(sphere.material);
+  material_.push_back(sphere.material), mass_.push_back(sphere.mass);
   return k;
 }
 
@@ -36,8 +48,7 @@ void DemGroup::add(const ContactMemory& contact) {
                 .roll = quad(contact.rolling, 0)};
   each_list([&](Pairs& pairs, const WallView* at) {
     if (wall ? !at || wall_number(at->axis, at->side > 0) != contact.second : at != nullptr) return;
-    const auto& kind = spheres_.kind;
-    added.row = laws_->rows(wall).row_of(kind[added.first], wall ? 0 : kind[sphere_of(added.second)]);
+    added.row = open_row(wall, added.first, sphere_of(added.second));
     pairs.contacts.slides = laws_->slides_, pairs.contacts.rolls = laws_->rolls_;
     pairs.contacts.add(added);
   });
@@ -72,7 +83,7 @@ DemGroup DemGroup::part(std::span<const std::uint32_t> which) const {
 }
 
 GroupSphere DemGroup::sphere(std::uint32_t k) const {
-  return {position(k), velocity(k), vector(spheres_.spin[k]), radius(k), 1 / spheres_.velocity[k].w, material_[k]};
+  return {position(k), velocity(k), vector(spheres_.spin[k]), radius(k), mass_[k], material_[k]};
 }
 Eigen::Vector3d DemGroup::position(std::uint32_t k) const { return vector(spheres_.position[k]); }
 Eigen::Vector3d DemGroup::velocity(std::uint32_t k) const { return vector(spheres_.velocity[k]); }
@@ -116,13 +127,13 @@ double DemGroup::kinetic_energy() const {
 }
 
 double DemGroup::elastic_energy() const {
-  double energy = spring_energy(pairs_.contacts, laws_->rows(false), [&](std::uint32_t k) {
+  double energy = spring_energy(pairs_.contacts, rows(false), [&](std::uint32_t k) {
     const Quad &here = spheres_.position[pairs_.contacts.first[k]], &there = spheres_.position[sphere_of(pairs_.contacts.second[k])];
     return (vector(there) - vector(here)).norm() - here.w - there.w;
   });
   for (std::size_t w = 0; w < walls_.size(); ++w) {
     const WallView& wall = laws_->walls()[w];
-    energy += spring_energy(walls_[w].contacts, laws_->rows(true), [&](std::uint32_t k) {
+    energy += spring_energy(walls_[w].contacts, rows(true), [&](std::uint32_t k) {
       const Quad& here = spheres_.position[walls_[w].contacts.first[k]];
       return wall.side * (wall.place - (&here.x)[wall.axis]) - here.w;
     });

@@ -41,7 +41,7 @@ struct GroupTotals {
 class DemGroup {
  public:
   /// Keeps a pointer to the laws.
-  DemGroup(const GroupLaws& laws, double time) : laws_(&laws), time_(time), walls_(laws.walls().size()) {}
+  DemGroup(const GroupLaws& laws, double time);
 
   /// Returns its number. Numbers are those of the order in which spheres came.
   std::uint32_t add(const GroupSphere& sphere);
@@ -88,10 +88,18 @@ class DemGroup {
     for (std::size_t w = 0; w < walls_.size(); ++w) visit(walls_[w], &laws_->walls()[w]);
   }
 
+  [[nodiscard]] const dem::LawRows& rows(bool wall) const { return own_rows_.empty() ? laws_->rows(wall) : own_rows_[wall ? 1 : 0]; }
+  /// Rows move as more are opened, also those of another wall's contacts.
+  void show_rows(dem::ForceTask& task, bool wall) const;
+  /// The row of a contact that begins; `second` is not used for a wall.
+  [[nodiscard]] std::uint32_t open_row(bool wall, std::uint32_t first, std::uint32_t second);
+
   const GroupLaws* laws_;
   double time_;
+  std::vector<dem::LawRows> own_rows_;  ///< between spheres and at walls, where each contact has laws of its own; else none
   dem::Spheres spheres_;
   std::vector<std::uint8_t> material_;
+  std::vector<double> mass_;             ///< as given: the inverse of an inverse is not
   std::vector<std::uint32_t> everyone_;  ///< 0 … count − 1
   dem::Pairs pairs_;
   std::vector<dem::Pairs> walls_;

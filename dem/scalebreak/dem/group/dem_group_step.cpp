@@ -14,21 +14,28 @@ class DemGroup::Keeper final : public ContactKeeper {
 
   void meet(ForceTask& task, std::uint32_t first, std::uint32_t second) override {
     pairs_.contacts.add({.first = first, .second = second, .row = row(first, second), .begun = group_.time_});
-    task.contacts = pairs_.contacts.view();
+    show(task);
     task.tally.starts += wall_ ? 0.5 : 1.0;
   }
   void meet_again(ForceTask& task, std::uint32_t k) override {
     const std::uint32_t first = pairs_.contacts.first[k], second = pairs_.contacts.second[k];
     pairs_.contacts.put(k, {.first = first, .second = second, .row = row(first, second), .begun = group_.time_});
+    show(task);
     task.tally.starts += wall_ ? 0.5 : 1.0;
   }
-  void part(ForceTask&, std::uint32_t k) override { pairs_.contacts.state[k] = apart; }
+  void part(ForceTask&, std::uint32_t k) override {
+    pairs_.contacts.state[k] = apart;
+    if (!group_.own_rows_.empty()) group_.own_rows_[wall_ ? 1 : 0].close(pairs_.contacts.row[k]);
+  }
   void make_room(ForceTask&) override {}  // nothing is deferred: all spheres are this thread's
 
  private:
-  [[nodiscard]] std::uint32_t row(std::uint32_t first, std::uint32_t second) const {
-    const auto& kind = group_.spheres_.kind;
-    return group_.laws_->rows(wall_).row_of(kind[first], wall_ ? 0 : kind[sphere_of(second)]);
+  [[nodiscard]] std::uint32_t row(std::uint32_t first, std::uint32_t second) {
+    return group_.open_row(wall_, first, wall_ ? 0 : sphere_of(second));
+  }
+  void show(ForceTask& task) {
+    task.contacts = pairs_.contacts.view();
+    group_.show_rows(task, wall_);
   }
 
   DemGroup& group_;
@@ -68,7 +75,7 @@ void DemGroup::find_near(double margin) {
 }
 
 ForceTask DemGroup::task(Pairs& pairs, const WallView* wall) {
-  const LawRows& rows = laws_->rows(wall != nullptr);
+  const LawRows& rows = this->rows(wall != nullptr);
   const MappedLaws& mapped = rows.mapped();
   SpheresView spheres = spheres_.view();
   if (!laws_->turns()) spheres.spin = nullptr;
@@ -93,6 +100,11 @@ ForceTask DemGroup::task(Pairs& pairs, const WallView* wall) {
           .own_end = count()};
 }
 
+void DemGroup::show_rows(ForceTask& task, bool wall) const {
+  const LawRows& rows = this->rows(wall);
+  task.rows = rows.rows(), task.hold = rows.hold(), task.bridge = rows.bridge();
+}
+
 /// One list at work, through all steps of a stretch.
 struct DemGroup::Work {
   Pairs& pairs;
@@ -102,6 +114,7 @@ struct DemGroup::Work {
 
 void DemGroup::find_contacts(Work& work) {
   if (work.pairs.near_count == 0) return;
+  show_rows(work.task, work.task.wall != nullptr);
   work.task.tally.starts = 0;
   laws_->kernel_->find_contacts(work.task);
   totals_.contact_starts += work.task.tally.starts;
@@ -109,6 +122,7 @@ void DemGroup::find_contacts(Work& work) {
 
 void DemGroup::add_forces(Work& work, double before, double after, double step) {
   if (work.pairs.contacts.count == 0) return;
+  show_rows(work.task, work.task.wall != nullptr);
   work.task.tally = {};
   work.task.history_step = before, work.task.history_after = after;
   laws_->kernel_->forces(work.task);

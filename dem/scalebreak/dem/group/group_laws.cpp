@@ -22,7 +22,7 @@ Cell open_cell() {
 
 }  // namespace
 
-GroupLaws::GroupLaws(const DemSetup& setup, const Cell& cell, std::vector<LawRows::Kind> kinds)
+GroupLaws::GroupLaws(const DemSetup& setup, const Cell& cell, std::vector<LawRows::Kind> kinds, bool each)
     : kernel_(setup.kernel ? &kernel(setup.kernel) : &kernel_for_few()),
       kinds_(std::move(kinds)),
       images_(open_cell(), 0),
@@ -32,9 +32,9 @@ GroupLaws::GroupLaws(const DemSetup& setup, const Cell& cell, std::vector<LawRow
     throw InputError(
         fmt::format("particles.size: found spheres of {} radii and materials; allowed: 1 to {} in groups that are integrated on their own",
                     kinds_.size(), most_kinds));
-  rows_ = LawRows(setup, kinds_, false, false);
+  rows_ = LawRows(setup, kinds_, false, each);
   walls_ = walls_of(cell, setup.wall_no_slip);
-  if (!walls_.empty()) wall_rows_ = LawRows(setup, kinds_, true, false);
+  if (!walls_.empty()) wall_rows_ = LawRows(setup, kinds_, true, each);
   const ContactLaws& laws = rows_.mapped().laws;
   turns_ = laws.spins() || (!walls_.empty() && wall_rows_.mapped().laws.spins());
   slides_ = laws.tangential.acts();
@@ -43,6 +43,7 @@ GroupLaws::GroupLaws(const DemSetup& setup, const Cell& cell, std::vector<LawRow
 }
 
 std::uint32_t GroupLaws::kind_number(const LawRows::Kind& kind) const {
+  if (each()) return 0;
   const auto at = std::find(kinds_.begin(), kinds_.end(), kind);
   if (at == kinds_.end()) throw std::logic_error("a sphere of a kind that the group's laws do not have");
   return static_cast<std::uint32_t>(at - kinds_.begin());

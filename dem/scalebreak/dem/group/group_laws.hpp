@@ -13,11 +13,12 @@ namespace scalebreak {
 /// What all small groups of a flow have in common: the laws between its kinds of spheres, its walls, and the loops that work on them.
 class GroupLaws {
  public:
-  /// Up to so many radii and materials.
+  /// Up to so many radii and materials, unless each contact has laws of its own.
   static constexpr std::size_t most_kinds = 16;
 
-  /// `kinds`: of the spheres that will be in groups, scaled radii. Throws InputError where there are none, or too many.
-  GroupLaws(const DemSetup& setup, const Cell& cell, std::vector<dem::LawRows::Kind> kinds);
+  /// `kinds`: of the spheres that will be in groups, scaled radii; with `each`, where each contact has laws of its own, the smallest and the
+  /// largest of each material. Throws InputError where there are none, or too many.
+  GroupLaws(const DemSetup& setup, const Cell& cell, std::vector<dem::LawRows::Kind> kinds, bool each = false);
 
   [[nodiscard]] double step() const { return step_; }  ///< at most [s]
   [[nodiscard]] bool turns() const { return turns_; }
@@ -28,6 +29,8 @@ class GroupLaws {
 
  private:
   friend class DemGroup;
+  [[nodiscard]] bool each() const { return rows_.each(); }
+  /// 0 where each contact has laws of its own.
   [[nodiscard]] std::uint32_t kind_number(const dem::LawRows::Kind& kind) const;
   [[nodiscard]] const dem::LawRows& rows(bool wall) const { return wall ? wall_rows_ : rows_; }
 

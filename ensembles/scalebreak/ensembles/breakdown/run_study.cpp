@@ -16,6 +16,7 @@
 #include <scalebreak/ensembles/run/run_estimate.hpp>
 #include <scalebreak/ensembles/run/run_flow.hpp>
 #include <scalebreak/scene/input_file.hpp>
+#include <scalebreak/scene/sphere_sizes.hpp>
 
 namespace scalebreak {
 namespace {
@@ -39,8 +40,14 @@ void make_tables(const StudyGrid& grid, const TableStore& store) {
     plain.run = {};
     if (!made.insert(write_input(plain)).second) continue;
     const double size = size_factor(*find_scaling_law(cell.law), cell.factor);
-    std::vector<SphereKind> kinds = {{size * cell.input.particles.radius, 0}};
-    if (cell.input.particles.size == SizeKind::bidisperse) kinds.push_back({size * cell.input.particles.large_radius, 1});
+    const Particles& particles = cell.input.particles;
+    SphereKinds kinds{.kinds = {{size * particles.radius, 0}}};
+    if (particles.size == SizeKind::bidisperse) {
+      kinds.kinds.push_back({size * particles.large_radius, 1});
+    } else if (particles.size != SizeKind::mono) {
+      const SizeRange range = size_range(particles, {cell.input.material.density, cell.input.second.density});
+      kinds = {.kinds = {{size * range.least, 0}, {size * range.largest, 0}}, .many = true};
+    }
     const Unanswered unanswered = cell.choice.engine == "event" ? Unanswered::integrate : Unanswered::leave;
     const TableRule rule(cell.input, kinds, store, {}, unanswered);
   }

@@ -157,7 +157,7 @@ StudyCell study_cell(const Input& study, const StudyPoint& point, const std::str
 
 std::optional<std::string> why_unsuited(const StudyCell& cell) {
   try {
-    if (flies(cell.choice.engine)) refuse_laws_without_tables(cell.input), refuse_sizes_without_tables(cell.input);
+    if (flies(cell.choice.engine)) refuse_laws_without_tables(cell.input);
   } catch (const InputError& error) {
     return error.what();
   }

@@ -17,27 +17,30 @@ constexpr PairTolerance flow_tolerance{.turning = 1e-2};
 
 Unanswered unanswered(const GroupLaws* groups) { return groups ? Unanswered::leave : Unanswered::integrate; }
 
-std::unique_ptr<GroupLaws> group_laws(const std::optional<DemSetup>& setup, const Cell& cell, const std::vector<SphereKind>& kinds) {
+std::unique_ptr<GroupLaws> group_laws(const std::optional<DemSetup>& setup, const Cell& cell, const SphereKinds& kinds) {
   if (!setup) return nullptr;
   std::vector<dem::LawRows::Kind> of_groups;
-  for (const SphereKind& kind : kinds) of_groups.push_back({kind.radius, kind.material});
-  return std::make_unique<GroupLaws>(*setup, cell, of_groups);
+  for (const SphereKind& kind : kinds.kinds) of_groups.push_back({kind.radius, kind.material});
+  return std::make_unique<GroupLaws>(*setup, cell, of_groups, kinds.many);
+}
+
+/// What is saved before all else, taken off the front.
+std::pair<Cell, SphereKinds> take_head(std::string_view& saved) {
+  std::vector<Cell> cell;
+  SphereKinds kinds;
+  take_list(saved, cell), take_list(saved, kinds.kinds), take_bytes(saved, kinds.many);
+  return {cell.front(), kinds};
 }
 
 std::unique_ptr<GroupLaws> saved_group_laws(const std::optional<DemSetup>& setup, std::string_view saved) {
-  std::vector<Cell> cell;
-  std::vector<SphereKind> kinds;
-  take_list(saved, cell), take_list(saved, kinds);
-  return group_laws(setup, cell.front(), kinds);
+  const auto [cell, kinds] = take_head(saved);
+  return group_laws(setup, cell, kinds);
 }
 
 /// The rule takes its part off the front first.
 EventSpheres<CalendarQueue, TableRule> saved_spheres(std::string_view saved, const Input& input, const TableStore& store,
                                                      const GroupLaws* groups) {
-  std::vector<Cell> cell;
-  std::vector<SphereKind> kinds;
-  take_list(saved, cell), take_list(saved, kinds);
-  TableRule rule(input, std::move(kinds), store, flow_tolerance, unanswered(groups));
+  TableRule rule(input, take_head(saved).second, store, flow_tolerance, unanswered(groups));
   rule.load(saved);
   return {saved, {.gravity = input.cell.gravity, .groups = groups}, std::move(rule)};
 }
@@ -82,7 +85,7 @@ System EventEngine::soft_system() {
 std::string EventEngine::save() const {
   std::string bytes;
   put_list(bytes, std::vector<Cell>{spheres_.cell()});
-  put_list(bytes, spheres_.rule().kinds());
+  put_list(bytes, spheres_.rule().kinds().kinds), put_bytes(bytes, spheres_.rule().kinds().many);
   spheres_.rule().save(bytes);
   return bytes + spheres_.save();
 }

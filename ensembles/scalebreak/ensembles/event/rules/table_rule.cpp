@@ -7,6 +7,8 @@
 
 #include <scalebreak/base/bytes.hpp>
 #include <scalebreak/base/error.hpp>
+#include <scalebreak/collisions/tables/oblique_table_builder.hpp>
+#include <scalebreak/collisions/tables/rolling_table_builder.hpp>
 #include <scalebreak/scaling/scaling_law.hpp>
 
 namespace scalebreak {
@@ -29,34 +31,35 @@ Input pair_input(const Input& flow, const std::vector<std::pair<double, std::uin
   return pair;
 }
 
-std::unique_ptr<PairResolver> resolver_of(const Input& pair, const TableStore& store, const PairTolerance& tolerance,
-                                          Unanswered unanswered) {
+/// Tables of a pair, or of all its sizes. Null where none can serve and what is not answered is left.
+template <class Tables, class... Ranges>
+std::unique_ptr<Tables> tables_of(const Input& pair, const TableStore& store, const PairTolerance& tolerance, Unanswered unanswered,
+                                  const Ranges&... ranges) {
   const bool leaves = unanswered == Unanswered::leave;
   if (leaves && (find_scaling_law(pair.scaling_law)->direct_force || pair.surface.attraction != Attraction::none)) return nullptr;
-  auto resolver = std::make_unique<PairResolver>(pair, store, tolerance);
-  if (const Refusal refusal = resolver->standing_refusal(); refusal != Refusal::none) {
+  auto tables = std::make_unique<Tables>(pair, ranges..., store, tolerance);
+  if (const Refusal refusal = tables->standing_refusal(); refusal != Refusal::none) {
     if (leaves) return nullptr;
     throw InputError(
         fmt::format("contact: between spheres of radii {} m no collision table can serve ({}); allowed in an event-driven run: laws and "
                     "sizes that have one, or {}",
                     fmt::join(pair.radius, " and "), to_string(refusal), other_engine));
   }
-  return resolver;
+  return tables;
 }
 
-[[noreturn]] void refuse_sizes() {
-  throw InputError(
-      fmt::format("particles.size: found spheres of more than {} radii; allowed in an event-driven run: \"mono\" or \"bidisperse\", "
-                  "or {}",
-                  TableRule::most_kinds, other_engine));
+/// Of the kinds of one material.
+std::optional<RadiusRange> range_of(const std::vector<SphereKind>& kinds, std::uint8_t material) {
+  std::optional<RadiusRange> range;
+  for (const SphereKind& kind : kinds) {
+    if (kind.material != material) continue;
+    if (!range) range = {kind.radius, kind.radius};
+    range = {std::min(range->least, kind.radius), std::max(range->largest, kind.radius)};
+  }
+  return range;
 }
 
 }  // namespace
-
-void refuse_sizes_without_tables(const Input& input) {
-  if (input.particles.file.empty() && input.particles.size != SizeKind::mono && input.particles.size != SizeKind::bidisperse)
-    refuse_sizes();
-}
 
 void refuse_height_that_follows(const Input& input) {
   if (input.cell.kind == CellKind::confined_shear)
@@ -79,40 +82,102 @@ void refuse_laws_without_tables(const Input& input) {
                     other_engine));
 }
 
-std::vector<SphereKind> kinds_of(const System& system) {
-  std::vector<SphereKind> kinds;
+std::string why_no_tables(const Input& input) {
+  const double size = size_factor(*find_scaling_law(input.scaling_law), input.scaling_factor), radius = size * input.particles.radius;
+  const Input pair = pair_input(input, {{radius, 0}, {radius, 0}});
+  const bool many = input.particles.size != SizeKind::mono && input.particles.size != SizeKind::bidisperse;
+  if (pair.surface.tangential != TangentialModel::none) {
+    const ObliqueKeyOrReason oblique = oblique_key(pair, 1e-4);
+    if (!oblique.key) return oblique.reason;
+    if (many && !sizes_share_oblique(oblique.key->kind, pair.surface, false))
+      return pair.surface.torque_arm == TorqueArm::contact ? "torque arms that end at the contact are other ones for every two radii"
+                                                           : "a linear tangential spring beside adhesion is another one at every size";
+  }
+  if (pair.surface.rolling == RollingModel::none) return "";
+  return rolling_key(pair, 1e-4).reason;
+}
+
+SphereKinds kinds_of(const System& system) {
+  SphereKinds found;
+  std::vector<SphereKind>& kinds = found.kinds;
   for (std::size_t i = 0; i < system.count() && kinds.size() <= TableRule::most_kinds; ++i) {
     const SphereKind kind{system.radius[i], system.material[i]};
     if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) kinds.push_back(kind);
   }
-  return kinds;
+  if (kinds.size() <= TableRule::most_kinds) return found;
+  found.many = true;
+  kinds.clear();
+  for (const std::uint8_t material : {std::uint8_t{0}, std::uint8_t{1}}) {
+    const SphereKind none{};
+    SphereKind least = none, largest = none;
+    for (std::size_t i = 0; i < system.count(); ++i) {
+      if (system.material[i] != material) continue;
+      const SphereKind kind{system.radius[i], material};
+      if (least.radius == 0 || kind.radius < least.radius) least = kind;
+      if (kind.radius > largest.radius) largest = kind;
+    }
+    if (largest.radius > 0) kinds.push_back(least), kinds.push_back(largest);
+  }
+  return found;
 }
 
-TableRule::TableRule(const Input& input, std::vector<SphereKind> kinds, const TableStore& store, const PairTolerance& tolerance,
-                     Unanswered unanswered)
+TableRule::TableRule(const Input& input, SphereKinds kinds, const TableStore& store, const PairTolerance& tolerance, Unanswered unanswered)
     : kinds_(std::move(kinds)), unanswered_(unanswered), wall_no_slip_(input.cell.wall_no_slip) {
   refuse_height_that_follows(input);
   if (unanswered == Unanswered::integrate) refuse_laws_without_tables(input);
-  if (kinds_.size() > most_kinds) refuse_sizes();
   const auto& boundary = input.cell.boundary;
-  const bool walled = std::find(boundary.begin(), boundary.end(), Boundary::wall) != boundary.end();
-  for (const SphereKind& first : kinds_) {
-    for (const SphereKind& second : kinds_)
-      pairs_.push_back(
-          resolver_of(pair_input(input, {{first.radius, first.material}, {second.radius, second.material}}), store, tolerance, unanswered));
-    if (walled) walls_.push_back(resolver_of(pair_input(input, {{first.radius, first.material}}), store, tolerance, unanswered));
+  // While it touches a wall that stops spins a sphere has none: it is braked as if it could not turn, which no table tells.
+  const bool turns = input.surface.tangential != TangentialModel::none || input.surface.rolling != RollingModel::none;
+  const bool walls = std::find(boundary.begin(), boundary.end(), Boundary::wall) != boundary.end(),
+             is_left = walls && wall_no_slip_ && turns, walled = walls && !is_left;
+  if (is_left && unanswered == Unanswered::integrate)
+    throw InputError(fmt::format(
+        "cell.wall_no_slip: found true beside friction or rolling resistance: a sphere that cannot turn while it touches has no "
+        "collision table; allowed in an event-driven run: false, or --engine hybrid, or {}",
+        other_engine));
+  if (kinds_.many) {
+    obtain_shared(input, store, tolerance, walled);
+    return;
+  }
+  for (const SphereKind& first : kinds_.kinds) {
+    for (const SphereKind& second : kinds_.kinds)
+      pairs_.push_back(tables_of<PairResolver>(pair_input(input, {{first.radius, first.material}, {second.radius, second.material}}), store,
+                                               tolerance, unanswered));
+    if (walled)
+      walls_.push_back(tables_of<PairResolver>(pair_input(input, {{first.radius, first.material}}), store, tolerance, unanswered));
+  }
+}
+
+void TableRule::obtain_shared(const Input& input, const TableStore& store, const PairTolerance& tolerance, bool walled) {
+  for (const std::uint8_t first : {std::uint8_t{0}, std::uint8_t{1}}) {
+    const std::optional<RadiusRange> own = range_of(kinds_.kinds, first);
+    if (!own) continue;
+    for (const std::uint8_t second : {std::uint8_t{0}, std::uint8_t{1}}) {
+      const std::optional<RadiusRange> other = range_of(kinds_.kinds, second);
+      if (!other) continue;
+      const Input pair = pair_input(input, {{own->least, first}, {other->largest, second}});
+      shared_[2 * first + second] = tables_of<SizeTables>(pair, store, tolerance, unanswered_, *own, *other);
+    }
+    if (walled)
+      shared_walls_[first] =
+          tables_of<SizeTables>(pair_input(input, {{own->least, first}}), store, tolerance, unanswered_, *own, RadiusRange{});
   }
 }
 
 std::size_t TableRule::kind_of(const Meeting::Body& body) const {
   std::size_t kind = 0;
-  while (kinds_[kind] != SphereKind{body.radius, body.material}) ++kind;
+  while (kinds_.kinds[kind] != SphereKind{body.radius, body.material}) ++kind;
   return kind;
 }
 
-const PairResolver* TableRule::resolver(const Meeting& meeting) const {
+TableRule::Answerer TableRule::answerer(const Meeting& meeting) const {
+  if (kinds_.many) {
+    const std::size_t first = meeting.first.material;
+    return {.shared = (meeting.wall ? shared_walls_[first] : shared_[2 * first + meeting.second.material]).get()};
+  }
+  if (meeting.wall && walls_.empty()) return {};
   const std::size_t first = kind_of(meeting.first);
-  return (meeting.wall ? walls_[first] : pairs_[first * kinds_.size() + kind_of(meeting.second)]).get();
+  return {.own = (meeting.wall ? walls_[first] : pairs_[first * kinds_.kinds.size() + kind_of(meeting.second)]).get()};
 }
 
 Parting TableRule::collide(const Meeting& meeting) { return answer(meeting, 1); }
@@ -123,11 +188,11 @@ Parting TableRule::answer(const Meeting& meeting, int count) {
   const double normal_speed = meeting.velocity().dot(meeting.normal);
   if (normal_speed <= 0)  // by rounding, of two that only just touch
     return {.velocity = {meeting.first.velocity, meeting.second.velocity}, .spin = {meeting.first.spin, meeting.second.spin}};
-  const PairResolver* const pair = resolver(meeting);
+  const auto [own, shared] = answerer(meeting);
   const auto counted = [&](Refusal refusal) -> long& { return counts_[static_cast<std::size_t>(refusal)]; };
   const Parting unresolved{
       .velocity = {meeting.first.velocity, meeting.second.velocity}, .spin = {meeting.first.spin, meeting.second.spin}, .unresolved = true};
-  if (!pair) {
+  if (!own && !shared) {
     counted(Refusal::no_table) += count;
     return unresolved;
   }
@@ -136,11 +201,12 @@ Parting TableRule::answer(const Meeting& meeting, int count) {
   PairImpact impact{.normal = meeting.normal,
                     .velocity = {meeting.first.velocity - still, meeting.second.velocity - still},
                     .spin = {loses_spin ? Eigen::Vector3d::Zero() : meeting.first.spin, meeting.second.spin}};
-  PairOutcome outcome = pair->look_up(impact);
+  const double radius1 = meeting.first.radius, radius2 = meeting.wall ? 0.0 : meeting.second.radius;
+  PairOutcome outcome = own ? own->look_up(impact) : shared->look_up(radius1, radius2, impact);
   counted(outcome.refusal) += count;
   if (outcome.refusal != Refusal::none) {
     if (unanswered_ == Unanswered::leave) return unresolved;
-    outcome = pair->integrate(impact);
+    outcome = own ? own->integrate(impact) : shared->integrate(radius1, radius2, impact);
   }
   if (outcome.stuck)
     throw WorkError(

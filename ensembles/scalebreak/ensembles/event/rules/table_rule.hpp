@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include <scalebreak/collisions/tables/pair_resolver.hpp>
+#include <scalebreak/collisions/tables/size_tables.hpp>
 #include <scalebreak/ensembles/event/rules/collision_rule.hpp>
 #include <scalebreak/scene/input.hpp>
 #include <scalebreak/scene/system.hpp>
@@ -20,11 +20,17 @@ struct SphereKind {
   bool operator==(const SphereKind&) const = default;
 };
 
+/// The spheres of a flow: all kinds that there are, or, where these are many, the smallest and the largest of each material.
+struct SphereKinds {
+  std::vector<SphereKind> kinds;
+  bool many = false;
+};
+
 /// Throws InputError for laws that no collision table describes: scaling laws that map forces, liquids.
 void refuse_laws_without_tables(const Input& input);
 
-/// The same for sizes that are drawn for each sphere, of which there are too many kinds.
-void refuse_sizes_without_tables(const Input& input);
+/// Why no collision table serves a flow's spheres by its laws, in words; empty where one does.
+[[nodiscard]] std::string why_no_tables(const Input& input);
 
 /// Throws InputError where the height of the cell follows a pressure: its stress is known at every step of soft spheres alone.
 void refuse_height_that_follows(const Input& input);
@@ -38,12 +44,12 @@ enum class Unanswered { integrate, leave };
 class TableRule {
  public:
   static constexpr bool spins = true, displaces = true, lasts = true;
-  /// Radii and materials that a flow may have: each pair of them has its own tables in memory.
+  /// Up to so many radii and materials each pair of them has its own tables in memory; of more, all sizes share theirs (SizeTables).
   static constexpr std::size_t most_kinds = 8;
 
   /// Obtains the tables of all pairs of spheres that a flow has. Throws InputError where no table can serve: laws that act at a distance or
-  /// map forces, rolling between unlike spheres; these are never answered where what is not is left. Of more than `most_kinds` always.
-  TableRule(const Input& input, std::vector<SphereKind> kinds, const TableStore& store, const PairTolerance& tolerance = {},
+  /// map forces; these are never answered where what is not is left.
+  TableRule(const Input& input, SphereKinds kinds, const TableStore& store, const PairTolerance& tolerance = {},
             Unanswered unanswered = Unanswered::integrate);
 
   /// Throws WorkError where the two stick and nothing is left.
@@ -58,26 +64,34 @@ class TableRule {
   /// put behind by as much, so that they do not seem to meet again.
   [[nodiscard]] long delayed() const { return delayed_; }
 
-  [[nodiscard]] const std::vector<SphereKind>& kinds() const { return kinds_; }
+  [[nodiscard]] const SphereKinds& kinds() const { return kinds_; }
   /// All that is counted.
   void save(std::string& bytes) const;
   void load(std::string_view& bytes);
 
  private:
+  /// What answers a meeting: the tables of its pair, or those that its sizes share; neither where no table can serve.
+  struct Answerer {
+    const PairResolver* own = nullptr;
+    const SizeTables* shared = nullptr;
+  };
   [[nodiscard]] std::size_t kind_of(const Meeting::Body& body) const;
-  [[nodiscard]] const PairResolver* resolver(const Meeting& meeting) const;
+  [[nodiscard]] Answerer answerer(const Meeting& meeting) const;
   [[nodiscard]] Parting answer(const Meeting& meeting, int count);
+  void obtain_shared(const Input& input, const TableStore& store, const PairTolerance& tolerance, bool walled);
 
-  std::vector<SphereKind> kinds_;
+  SphereKinds kinds_;
   std::vector<std::unique_ptr<PairResolver>> pairs_;  ///< first · kinds + second; null where no table can serve
   std::vector<std::unique_ptr<PairResolver>> walls_;
+  std::array<std::unique_ptr<SizeTables>, 4> shared_;  ///< 2 · material of the first + that of the second
+  std::array<std::unique_ptr<SizeTables>, 2> shared_walls_;
   Unanswered unanswered_;
   bool wall_no_slip_ = false;
   long delayed_ = 0;
   std::array<long, static_cast<std::size_t>(Refusal::count)> counts_{};
 };
 
-/// The kinds of spheres of a flow, in the order in which they are first met; at most one more than TableRule takes.
-[[nodiscard]] std::vector<SphereKind> kinds_of(const System& system);
+/// The kinds of spheres of a flow, in the order in which they are first met; of more than `most_kinds` the extremes.
+[[nodiscard]] SphereKinds kinds_of(const System& system);
 
 }  // namespace scalebreak
