@@ -47,12 +47,12 @@ class Dem::Engine {
   };
   /// What one thread works on.
   struct Worker {
-    std::uint32_t begin = 0, end = 0;              ///< of the sorted spheres
-    std::vector<std::uint32_t> start, neighbours;  ///< of each of them
+    std::uint32_t begin = 0, end = 0;            ///< of the sorted spheres
+    LargeList<std::uint32_t> start, neighbours;  ///< of each of them
     dem::Pairs pairs;
     std::vector<dem::Contact> remembered;  ///< what comes into new lists
     std::vector<WallPairs> walls;
-    std::vector<std::uint32_t> movers, pushed;  ///< of its own: who is near another, and who may bear a force
+    LargeList<std::uint32_t> movers, pushed;  ///< of its own: who is near another, and who may bear a force
     std::vector<dem::Deferred> deferred;
     std::uint32_t deferred_count = 0;
     dem::LawRows rows, wall_rows;  ///< its own, where each contact has a row
@@ -154,8 +154,8 @@ class Dem::Engine {
   double flow_rate_ = 0;                                     ///< of the profile that speeds are bounded about [1/s]
 
   std::vector<Worker> workers_;
-  std::vector<std::uint8_t> moves_;   ///< of each sphere: is it near another?
-  std::vector<std::uint8_t> pushed_;  ///< is it on the list of those who may bear a force?
+  LargeList<std::uint8_t> moves_;   ///< of each sphere: is it near another?
+  LargeList<std::uint8_t> pushed_;  ///< is it on the list of those who may bear a force?
   std::optional<dem::Grid> grid_;
   dem::Images images_;
   double grid_offset_ = 0;  ///< of the image above when the grid was made; with a height that follows, at the last step [m]

@@ -26,8 +26,8 @@ struct Writer {
     static_assert(std::is_trivially_copyable_v<T>);
     bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
   }
-  template <class T>
-  void list(std::vector<T>& values) {
+  template <class T, class Memory>
+  void list(std::vector<T, Memory>& values) {
     std::uint64_t size = values.size();
     one(size);
     bytes.append(reinterpret_cast<const char*>(values.data()), size * sizeof(T));
@@ -44,8 +44,8 @@ struct Reader {
     std::memcpy(static_cast<void*>(&value), bytes.data(), sizeof value);
     bytes.remove_prefix(sizeof value);
   }
-  template <class T>
-  void list(std::vector<T>& values) {
+  template <class T, class Memory>
+  void list(std::vector<T, Memory>& values) {
     std::uint64_t size = 0;
     one(size);
     if (size > bytes.size() / sizeof(T)) throw WorkError(broken);

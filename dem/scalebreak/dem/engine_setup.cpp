@@ -26,7 +26,7 @@ Dem::Engine::Engine(const System& start, const DemSetup& setup)
   const std::vector<std::uint32_t> kind = sort_out_kinds(start);
   turns_ = rows_.mapped().laws.spins() || (!walls_.empty() && wall_rows_.mapped().laws.spins());
   spheres_ = Spheres(start, turns_, setup.integrator == Integrator::synchronized);
-  spheres_.kind = kind;
+  spheres_.kind.assign(kind.begin(), kind.end());
   for (std::uint32_t i = 0; i < spheres_.count(); ++i) {
     const Quad &v = spheres_.velocity[i], &x = spheres_.position[i];
     const double along = v.x - flow_rate_ * (x.z - cell_.size.z() / 2);

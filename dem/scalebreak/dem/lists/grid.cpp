@@ -32,7 +32,7 @@ std::array<int, 3> Grid::bin_of(const Level& level, const Quad& p) const {
   return {along(p.x, 0), along(p.y, 1), along(p.z, 2)};
 }
 
-Grid::Grid(const Cell& cell, const std::vector<Quad>& position, double skin)
+Grid::Grid(const Cell& cell, const LargeList<Quad>& position, double skin)
     : cell_(cell), skin_(skin), offset_(central_offset(cell)), level_of_(position.size()) {
   double smallest = std::numeric_limits<double>::infinity();
   Eigen::Vector3d low = Eigen::Vector3d::Constant(smallest), high = -low;
@@ -82,7 +82,7 @@ Grid::Grid(const Cell& cell, const std::vector<Quad>& position, double skin)
     std::partial_sum(level.start.begin(), level.start.end(), level.start.begin());
     level.sphere.resize(level.start.back());
   }
-  std::vector<std::vector<std::uint32_t>> next(levels_.size());
+  std::vector<LargeList<std::uint32_t>> next(levels_.size());
   for (std::size_t l = 0; l < levels_.size(); ++l) next[l] = levels_[l].start;
   for (std::size_t i = 0; i < position.size(); ++i) {
     const std::uint8_t l = level_of_[i];
@@ -91,7 +91,7 @@ Grid::Grid(const Cell& cell, const std::vector<Quad>& position, double skin)
 }
 
 std::vector<std::uint32_t> Grid::order() const {
-  if (levels_.size() == 1) return levels_[0].sphere;
+  if (levels_.size() == 1) return {levels_[0].sphere.begin(), levels_[0].sphere.end()};
   // By the bins of the octave with the most spheres; the others come in where they lie.
   std::size_t most = 0;
   for (std::size_t l = 1; l < levels_.size(); ++l) {
@@ -109,7 +109,7 @@ void Grid::renumber() {
   const std::vector<std::uint32_t> order = this->order();
   std::vector<std::uint32_t> place(order.size());
   for (std::uint32_t k = 0; k < order.size(); ++k) place[order[k]] = k;
-  std::vector<std::uint8_t> level_of(level_of_.size());
+  LargeList<std::uint8_t> level_of(level_of_.size());
   for (std::size_t k = 0; k < order.size(); ++k) level_of[k] = level_of_[order[k]];
   level_of_.swap(level_of);
   for (Level& level : levels_) {
@@ -117,8 +117,8 @@ void Grid::renumber() {
   }
 }
 
-void Grid::search(const Level& level, bool own, std::uint32_t i, const std::vector<Quad>& position, const Quad* shift,
-                  std::vector<std::uint32_t>& neighbours) const {
+void Grid::search(const Level& level, bool own, std::uint32_t i, const LargeList<Quad>& position, const Quad* shift,
+                  LargeList<std::uint32_t>& neighbours) const {
   const Quad here = position[i];
   const double touch = here.w + skin_, reach = touch + level.largest;
   // The bins from `from` to `to` along an axis, and how often the cell is passed on the way to each.
@@ -163,8 +163,7 @@ void Grid::search(const Level& level, bool own, std::uint32_t i, const std::vect
   }
 }
 
-void Grid::neighbours_of(std::uint32_t i, const std::vector<Quad>& position, const Quad* shift,
-                         std::vector<std::uint32_t>& neighbours) const {
+void Grid::neighbours_of(std::uint32_t i, const LargeList<Quad>& position, const Quad* shift, LargeList<std::uint32_t>& neighbours) const {
   const std::uint8_t own = level_of_[i];
   for (std::size_t l = 0; l <= own; ++l) {
     if (levels_[l].largest > 0) search(levels_[l], l == own, i, position, shift, neighbours);

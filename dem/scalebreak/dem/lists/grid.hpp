@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include <scalebreak/base/large_list.hpp>
 #include <scalebreak/cell/cell.hpp>
 #include <scalebreak/dem/kernel/kernel.hpp>
 
@@ -14,7 +15,7 @@ namespace scalebreak::dem {
 class Grid {
  public:
   /// Spheres that are wrapped; `skin` is the largest gap of surfaces at which a pair is a pair of neighbours [m].
-  Grid(const Cell& cell, const std::vector<Quad>& position, double skin);
+  Grid(const Cell& cell, const LargeList<Quad>& position, double skin);
 
   /// An order in which neighbours in space are neighbours in the list.
   [[nodiscard]] std::vector<std::uint32_t> order() const;
@@ -27,7 +28,7 @@ class Grid {
   }
   /// The neighbours of sphere i that are its own to keep: of two spheres in one octave, those that it precedes; all of smaller octaves.
   /// Appends them packed with their image.
-  void neighbours_of(std::uint32_t i, const std::vector<Quad>& position, const Quad* shift, std::vector<std::uint32_t>& neighbours) const;
+  void neighbours_of(std::uint32_t i, const LargeList<Quad>& position, const Quad* shift, LargeList<std::uint32_t>& neighbours) const;
 
  private:
   struct Level {
@@ -35,7 +36,7 @@ class Grid {
     Eigen::Vector3d low{0, 0, 0};  ///< corner of the bins: that of the cell, or of the spheres along an open axis
     Eigen::Vector3d bin{1, 1, 1};  ///< edge [m]
     std::array<int, 3> bins = {1, 1, 1};
-    std::vector<std::uint32_t> start, sphere;  ///< of each bin, and the spheres bin by bin
+    LargeList<std::uint32_t> start, sphere;  ///< of each bin, and the spheres bin by bin
   };
   /// Is the way from i to j along the list shorter than that from j to i, both going on from its end to its beginning? So pairs across a
   /// periodic face belong to the end of the list, and each of the threads that share it has as many pairs with the next one's spheres.
@@ -45,13 +46,13 @@ class Grid {
   }
   [[nodiscard]] std::size_t bin_number(const Level& level, int x, int y, int z) const;
   [[nodiscard]] std::array<int, 3> bin_of(const Level& level, const Quad& position) const;
-  void search(const Level& level, bool own, std::uint32_t i, const std::vector<Quad>& position, const Quad* shift,
-              std::vector<std::uint32_t>& neighbours) const;
+  void search(const Level& level, bool own, std::uint32_t i, const LargeList<Quad>& position, const Quad* shift,
+              LargeList<std::uint32_t>& neighbours) const;
 
   Cell cell_;
   double skin_, offset_;
-  std::vector<Level> levels_;           ///< from the smallest
-  std::vector<std::uint8_t> level_of_;  ///< of each sphere
+  std::vector<Level> levels_;         ///< from the smallest
+  LargeList<std::uint8_t> level_of_;  ///< of each sphere
 };
 
 }  // namespace scalebreak::dem

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
+#include <scalebreak/base/large_list.hpp>
 #include <scalebreak/dem/kernel/kernel.hpp>
 
 namespace scalebreak::dem {
@@ -31,18 +31,18 @@ class Histories {
     double* const x = values_.data() + history_place(k);
     x[0] = v.x, x[history_stride] = v.y, x[2 * history_stride] = v.z;
   }
-  [[nodiscard]] std::vector<double>& values() { return values_; }
+  [[nodiscard]] LargeList<double>& values() { return values_; }
   [[nodiscard]] std::size_t bytes() const { return values_.capacity() * sizeof(double); }
 
  private:
-  std::vector<double> values_;
+  LargeList<double> values_;
 };
 
 /// The contacts of a list, as the kernel works on them.
 struct Contacts {
-  std::vector<std::uint32_t> first, second, row;
-  std::vector<std::uint8_t> state;
-  std::vector<double> begun;
+  LargeList<std::uint32_t> first, second, row;
+  LargeList<std::uint8_t> state;
+  LargeList<double> begun;
   Histories slide, roll;
   std::uint32_t count = 0, sorted = 0;  ///< so many of them are in the order of their first spheres
   bool slides = false, rolls = false;   ///< do they remember these?
@@ -59,7 +59,7 @@ struct Contacts {
 
 /// Near pairs and contacts: the spheres that may act on each other before the list is made anew.
 struct Pairs {
-  std::vector<std::uint32_t> near_first, near_second;  ///< second: packed
+  LargeList<std::uint32_t> near_first, near_second;  ///< second: packed
   std::uint32_t near_count = 0;
   Contacts contacts;
 

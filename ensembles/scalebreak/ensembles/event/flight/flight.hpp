@@ -7,7 +7,7 @@
 
 #include <scalebreak/cell/cell.hpp>
 #include <scalebreak/ensembles/event/flight/flying_sphere.hpp>
-#include <scalebreak/ensembles/event/large_list.hpp>
+#include <scalebreak/base/large_list.hpp>
 #include <scalebreak/ensembles/event/near/images.hpp>
 #include <scalebreak/ensembles/event/near/reference_bins.hpp>
 

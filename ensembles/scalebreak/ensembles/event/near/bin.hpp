@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include <scalebreak/ensembles/event/large_list.hpp>
+#include <scalebreak/base/large_list.hpp>
 #include <scalebreak/ensembles/event/near/images.hpp>
 
 namespace scalebreak {

@@ -3,7 +3,7 @@
 #include <limits>
 #include <vector>
 
-#include <scalebreak/ensembles/event/large_list.hpp>
+#include <scalebreak/base/large_list.hpp>
 #include <scalebreak/ensembles/event/queue/event_queue.hpp>
 
 namespace scalebreak {
